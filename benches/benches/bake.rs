@@ -244,9 +244,9 @@ fn rays_of(vertex: &TransferVertex, params: &TransferParams) -> Vec<Ray> {
 
 fn to_obvhs(triangle: &Triangle) -> obvhs::triangle::Triangle {
     obvhs::triangle::Triangle {
-        v0: triangle.v0.into(),
-        v1: triangle.v1.into(),
-        v2: triangle.v2.into(),
+        v0: triangle.a().into(),
+        v1: triangle.b().into(),
+        v2: triangle.c().into(),
     }
 }
 

@@ -7,7 +7,6 @@ use glimt_benches::inputs::{TriangleMesh, knot, light_maps, statue};
 use glimt_benches::scene::{camera, on_a_plane};
 use glimt_benches::{Contest, claim};
 use glimt_render_gpu::cpu::CpuRenderer;
-use glimt_render_gpu::kernels::bvh::BvhNode;
 use glimt_render_gpu::prepare::env::PreparedEnv;
 use glimt_render_gpu::prepare::render::{RenderSettings, Renderer};
 use glimt_render_gpu::prepare::scene::{Object, SceneDescription};
@@ -42,7 +41,7 @@ fn contest(reference: &SceneBuffers, env: &PreparedEnv, poses: Vec<(String, Vec<
             scene
         };
         let [refitted, rebuilt] = [posed(Tree::Refitted), posed(Tree::Rebuilt)];
-        let cost = |scene: &SceneBuffers| sah_cost(scene.view().nodes);
+        let cost = SceneBuffers::expected_ray_cost;
         println!(
             "expected cost of a ray: {:.2} of the reference pose's, {:.2} of the rebuilt tree's",
             cost(&refitted) / cost(reference),
@@ -188,17 +187,4 @@ fn exchanges(start: &[Mat4]) -> Vec<(String, Vec<Mat4>)> {
         )
     });
     pairs.into()
-}
-
-/// Boxes and triangles that a ray through the root's box has to be tested against.
-fn sah_cost(nodes: &[BvhNode]) -> f64 {
-    let area = |node: &BvhNode| {
-        let size = (node.max - node.min).as_dvec3();
-        size.x * size.y + size.y * size.z + size.z * size.x
-    };
-    let weighted = nodes.iter().map(|node| match node.count {
-        0 => 2.0 * area(node),
-        triangles => f64::from(triangles) * area(node),
-    });
-    weighted.sum::<f64>() / area(&nodes[0])
 }

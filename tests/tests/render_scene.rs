@@ -115,9 +115,9 @@ fn hits_are_those_of_every_triangle_and_of_obvhs() {
         .triangles
         .iter()
         .map(|t| obvhs::triangle::Triangle {
-            v0: t.v0.into(),
-            v1: t.v1.into(),
-            v2: t.v2.into(),
+            v0: t.a().into(),
+            v1: t.b().into(),
+            v2: t.c().into(),
         })
         .collect();
     let params = obvhs::BvhBuildParams::medium_build();
@@ -135,7 +135,7 @@ fn hits_are_those_of_every_triangle_and_of_obvhs() {
             let triangle = &scene.triangles[hit.triangle as usize];
             assert_eq!(intersect(triangle, ray, f32::MAX), hit.t);
             let b = hit.barycentrics;
-            let there = triangle.v0 * (1.0 - b.x - b.y) + triangle.v1 * b.x + triangle.v2 * b.y;
+            let there = triangle.a() * (1.0 - b.x - b.y) + triangle.b() * b.x + triangle.c() * b.y;
             // In a face seen at a grazing angle, rounding moves the point along the ray.
             let cos = triangle.area_normal().normalize().dot(ray.direction).abs();
             assert!(there.distance(ray.origin + ray.direction * hit.t) * cos < 1e-5);

@@ -280,6 +280,7 @@ pub(crate) fn method(ty: &Ty, name: &str) -> Option<Method> {
                 "with_y" => same(B::With(1), &[S]),
                 "with_z" if n > 2 => same(B::With(2), &[S]),
                 "with_w" if n > 3 => same(B::With(3), &[S]),
+                "is_negative_bitmask" if float => to(B::SignMask, &[], Ty::U32),
                 "length_squared" => to(B::LengthSquared, &[], one),
                 "distance_squared" if float => to(B::DistanceSquared, &[Same], one),
                 "length" if float => to(B::Math(M::Length), &[], one),

@@ -287,6 +287,8 @@ pub(crate) enum Builtin {
     ElementProduct,
     MinElement,
     MaxElement,
+    /// The sign bits of a vector's components, the first component's in bit 0.
+    SignMask,
     LengthSquared,
     DistanceSquared,
     Lerp,

@@ -105,13 +105,14 @@ pub fn componentwise(id: u32, _ints: &[u32], floats: &[f32]) -> [f32; 8] {
     let fused = a.mul_add(b, Vec4::splat(0.5));
     let clamped = a.clamp(Vec4::NEG_ONE, Vec4::splat(3.0));
     let recip = (a.abs() + 1.0).recip();
+    let signs = a.is_negative_bitmask() + 16 * b.xy().is_negative_bitmask();
     [
         a.min(b).element_sum(),
         a.max(b).element_sum(),
         lerped.x + lerped.w,
         fused.y,
         clamped.element_sum(),
-        recip.z,
+        recip.z + signs as f32,
         (a * 0.1).element_product() + a.min_element() + b.max_element(),
         a.floor().y + a.ceil().z,
     ]

@@ -134,6 +134,23 @@ impl FnLowerer<'_, '_> {
             B::ElementProduct => self.fold(a[0], n, |c, l, r| c.bin(NBin::Multiply, l, r)),
             B::MinElement => self.fold(a[0], n, |c, l, r| c.math(M::Min, &[l, r])),
             B::MaxElement => self.fold(a[0], n, |c, l, r| c.math(M::Max, &[l, r])),
+            B::SignMask => {
+                let bits = self.emit(Expression::As {
+                    expr: a[0],
+                    kind: ScalarKind::Uint,
+                    convert: None,
+                });
+                let whole = Ty::Vec(Scalar::U32, n);
+                let by = self.number(&whole, 31);
+                let signs = self.bin(NBin::ShiftRight, bits, by);
+                let components = (0..n).map(|i| self.lit(Lit::U32(1 << i))).collect();
+                let naga_ty = self.l.naga_ty(&whole, span)?;
+                let places = self.emit(Expression::Compose {
+                    ty: naga_ty,
+                    components,
+                });
+                self.math(M::Dot, &[signs, places])
+            }
             B::LengthSquared => self.math(M::Dot, &[a[0], a[0]]),
             B::DistanceSquared => {
                 let d = self.bin(NBin::Subtract, a[0], a[1]);

@@ -1,19 +1,23 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
-    min: vec3<f32>,
-    count: u32,
-    max: vec3<f32>,
-    first: u32,
+    min_x: vec4<f32>,
+    min_y: vec4<f32>,
+    min_z: vec4<f32>,
+    max_x: vec4<f32>,
+    max_y: vec4<f32>,
+    max_z: vec4<f32>,
+    children: array<u32, 4>,
 }
 
 struct Triangle {
-    v0_: vec3<f32>,
+    x: vec4<f32>,
+    y: vec4<f32>,
+    z: vec4<f32>,
     material: u32,
-    v1_: vec3<f32>,
     object: u32,
-    v2_: vec3<f32>,
     attributes: u32,
+    run: u32,
 }
 
 struct Corner {
@@ -90,6 +94,36 @@ struct Ray {
     direction: vec3<f32>,
     inverse_direction: vec3<f32>,
     key: u32,
+}
+
+struct Tuple_f32_f32_f32_ {
+    fa: f32,
+    fb: f32,
+    fc: f32,
+}
+
+struct Met {
+    children: u32,
+    distances: array<f32, 4>,
+}
+
+struct Tuple_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+}
+
+struct Tuple_Vec4_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+    fc: vec4<f32>,
+}
+
+struct Seen {
+    a: vec3<f32>,
+    edge_x: vec4<f32>,
+    edge_y: vec4<f32>,
+    edge_z: vec4<f32>,
+    functions: vec4<f32>,
 }
 
 struct Tuple_u32_u32_ {
@@ -870,98 +904,155 @@ fn FrameParams_camera_ray(this_12: FrameParams, pattern: PixelPattern) -> Ray {
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:30
-fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:53
+fn meet(node: BvhNode, ray_2: Ray, reach: f32) -> Met {
+    var node_1: BvhNode;
+
+    node_1 = node;
+    // glimt_render_gpu/src/kernels/bvh.rs:54
+    let _e12 = Tuple_f32_f32_f32_(ray_2.origin.x, ray_2.origin.y, ray_2.origin.z);
+    let x_8 = _e12.fa;
+    let y_2 = _e12.fb;
+    let z_2 = _e12.fc;
+    // glimt_render_gpu/src/kernels/bvh.rs:55
+    let inverse_1 = ray_2.inverse_direction;
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e20 = node_1.min_x;
+    let to_min_x = ((_e20 - vec4(x_8)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:57
+    let _e27 = node_1.max_x;
+    let to_max_x = ((_e27 - vec4(x_8)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:58
+    let _e34 = node_1.min_y;
+    let to_min_y = ((_e34 - vec4(y_2)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:59
+    let _e41 = node_1.max_y;
+    let to_max_y = ((_e41 - vec4(y_2)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:60
+    let _e48 = node_1.min_z;
+    let to_min_z = ((_e48 - vec4(z_2)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:61
+    let _e55 = node_1.max_z;
+    let to_max_z = ((_e55 - vec4(z_2)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:62
+    let near_x = min(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:63
+    let near_y = min(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:64
+    let near_z = min(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:65
+    let far_x = max(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    let far_y = max(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let far_z = max(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:68
+    let distances = max(max(near_x, near_y), max(near_z, vec4(0f)));
+    // glimt_render_gpu/src/kernels/bvh.rs:69
+    let far = (min(min(far_x, far_y), far_z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:70
+    let room = (min(far, vec4(reach)) - distances);
+    // glimt_render_gpu/src/kernels/bvh.rs:71
+    return Met((15u - dot((bitcast<vec4<u32>>(room) >> vec4(31u)), vec4<u32>(1u, 2u, 4u, 8u))), array<f32, 4>(distances.x, distances.y, distances.z, distances.w));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:163
+fn seen(triangle: Triangle, ray_3: Ray) -> Seen {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:164
+    let x_9 = (triangle.x - vec4(ray_3.origin.x));
+    // glimt_render_gpu/src/kernels/triangle.rs:165
+    let y_3 = (triangle.y - vec4(ray_3.origin.y));
+    // glimt_render_gpu/src/kernels/triangle.rs:166
+    let z_3 = (triangle.z - vec4(ray_3.origin.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:168
+    let _e24 = Tuple_Vec4_Vec4_(x_9.yzxw, x_9.zxyw);
+    let x1_ = _e24.fa;
+    let x2_ = _e24.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:169
+    let _e30 = Tuple_Vec4_Vec4_(y_3.yzxw, y_3.zxyw);
+    let y1_ = _e30.fa;
+    let y2_ = _e30.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:170
+    let _e36 = Tuple_Vec4_Vec4_(z_3.yzxw, z_3.zxyw);
+    let z1_ = _e36.fa;
+    let z2_ = _e36.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:171
+    let _e43 = Tuple_Vec4_Vec4_Vec4_((x1_ - x2_), (y1_ - y2_), (z1_ - z2_));
+    let edge_x = _e43.fa;
+    let edge_y = _e43.fb;
+    let edge_z = _e43.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:172
+    let _e51 = Tuple_Vec4_Vec4_Vec4_((x1_ + x2_), (y1_ + y2_), (z1_ + z2_));
+    let sum_x = _e51.fa;
+    let sum_y = _e51.fb;
+    let sum_z = _e51.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:173
+    let d = ray_3.direction;
+    // glimt_render_gpu/src/kernels/triangle.rs:174
+    let functions = (((((edge_y * sum_z) - (edge_z * sum_y)) * d.x) + (((edge_z * sum_x) - (edge_x * sum_z)) * d.y)) + (((edge_x * sum_y) - (edge_y * sum_x)) * d.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:177
+    return Seen(vec3<f32>(x_9.x, y_3.x, z_3.x), edge_x, edge_y, edge_z, functions);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:191
+fn intersect(triangle_1: Triangle, ray_4: Ray, t_max: f32) -> f32 {
     var chosen_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:32
-    let to_max = ((node.max - ray_2.origin) * ray_2.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:33
-    let _e16 = min(to_min, to_max);
-    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
-    // glimt_render_gpu/src/kernels/bvh.rs:34
-    let _e23 = max(to_min, to_max);
-    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
-    // glimt_render_gpu/src/kernels/bvh.rs:35
-    if ((far_1 >= near_1) && (far_1 >= 0f)) {
-        // glimt_render_gpu/src/kernels/bvh.rs:36
-        chosen_3 = near_1;
+    // glimt_render_gpu/src/kernels/triangle.rs:192
+    let _e5 = seen(triangle_1, ray_4);
+    // glimt_render_gpu/src/kernels/triangle.rs:193
+    if ((min(min(min(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) < 0f) && (max(max(max(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:194
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:196
+    let from_a = vec3<f32>(_e5.edge_x.y, _e5.edge_y.y, _e5.edge_z.y);
+    // glimt_render_gpu/src/kernels/triangle.rs:197
+    let to_a = vec3<f32>(_e5.edge_x.z, _e5.edge_y.z, _e5.edge_z.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:198
+    let normal_2 = cross(from_a, to_a);
+    // glimt_render_gpu/src/kernels/triangle.rs:199
+    let slope = dot(normal_2, ray_4.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:200
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:201
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:203
+    let t_4 = (dot(_e5.a, normal_2) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:204
+    if ((t_4 > 0f) && (t_4 < t_max)) {
+        chosen_3 = t_4;
     } else {
-        // glimt_render_gpu/src/kernels/bvh.rs:38
         chosen_3 = 0x1.fffffep+127f;
     }
-    let _e40 = chosen_3;
-    return _e40;
+    let _e67 = chosen_3;
+    return _e67;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:111
-fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/triangle.rs:112
-    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:124
-fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
-    var chosen_4: f32;
-
-    // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_3 = (triangle.v0_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:126
-    let b_3 = (triangle.v1_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_2 = (triangle.v2_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_3, b_3, c_2, ray_3.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:129
-    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:130
-        return 0x1.fffffep+127f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:132
-    let normal_2 = cross((c_2 - a_3), (a_3 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope = dot(normal_2, ray_3.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:134
-    if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:135
-        return 0x1.fffffep+127f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:137
-    let t_4 = (dot(a_3, normal_2) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:138
-    if ((t_4 > 0f) && (t_4 < t_max)) {
-        chosen_4 = t_4;
-    } else {
-        chosen_4 = 0x1.fffffep+127f;
-    }
-    let _e59 = chosen_4;
-    return _e59;
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:59
+// glimt_render_gpu/src/kernels/triangle.rs:99
 fn Triangle_is_see_through(this_13: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:60
+    // glimt_render_gpu/src/kernels/triangle.rs:100
     return ((this_13.object & 1073741824u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:144
-fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:210
+fn barycentrics(triangle_2: Triangle, ray_5: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:145
-    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum_2 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:152
+    // glimt_render_gpu/src/kernels/triangle.rs:211
+    let _e4 = seen(triangle_2, ray_5);
+    let w_2 = _e4.functions.xyz;
+    // glimt_render_gpu/src/kernels/triangle.rs:212
+    let sum_2 = ((w_2.x + w_2.y) + w_2.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:213
     if (sum_2 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:154
+        // glimt_render_gpu/src/kernels/triangle.rs:215
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
+    // glimt_render_gpu/src/kernels/triangle.rs:217
+    return (vec2<f32>(w_2.y, w_2.z) / vec2(sum_2));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -991,18 +1082,18 @@ fn Attributes_at(first_1: u32, u_2: f32, v_1: f32) -> Attributes {
     // glimt_render_gpu/src/kernels/material.rs:132
     let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
-    let w_2 = ((1f - u_2) - v_1);
+    let w_3 = ((1f - u_2) - v_1);
     // glimt_render_gpu/src/kernels/material.rs:134
-    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_2)) + (_e15.uv * v_1)), (((_e5.color * w_2) + (_e9.color * u_2)) + (_e15.color * v_1)));
+    return Attributes((((_e5.uv * w_3) + (_e9.uv * u_2)) + (_e15.uv * v_1)), (((_e5.color * w_3) + (_e9.color * u_2)) + (_e15.color * v_1)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
 fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_2 = (256u + (index_9 * 76u));
+    let first_3 = (256u + (index_9 * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
-    return Returned_MaterialView_new(first_2, ((first_2 + 76u) - first_2));
+    return Returned_MaterialView_new(first_3, ((first_3 + 76u) - first_3));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
@@ -1074,7 +1165,7 @@ fn neighbour(index_10: i32, size_1: u32, mode_1: u32) -> u32 {
 
 // glimt_render_gpu/src/kernels/texture.rs:69
 fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
-    var chosen_5: vec4<f32>;
+    var chosen_4: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
     let word_4 = scene_surface[(this_15.first + index_11)];
@@ -1083,7 +1174,7 @@ fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:72
     let g = ((word_4 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word_4 >> 16u) & 255u);
+    let b_2 = ((word_4 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
@@ -1091,13 +1182,13 @@ fn TextureView_texel(this_15: TextureView, index_11: u32) -> vec4<f32> {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
-        let _e46 = scene_surface[b_4];
-        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+        let _e46 = scene_surface[b_2];
+        chosen_4 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
+        chosen_4 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_2) / 255f), alpha_2);
     }
-    let _e60 = chosen_5;
+    let _e60 = chosen_4;
     return _e60;
 }
 
@@ -1110,12 +1201,12 @@ fn TextureView_sample(this_16: TextureView, uv: vec2<f32>) -> vec4<f32> {
     let wrap_v = ((this_16.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_8 = ((_e21 * f32(this_16.width)) - 0.5f);
+    let x_10 = ((_e21 * f32(this_16.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e29 * f32(this_16.height)) - 0.5f);
+    let y_4 = ((_e29 * f32(this_16.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e38 = Tuple_f32_f32_(floor(x_8), floor(y_2));
+    let _e38 = Tuple_f32_f32_(floor(x_10), floor(y_4));
     let left = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
@@ -1131,15 +1222,15 @@ fn TextureView_sample(this_16: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:59
     let _e67 = TextureView_texel(this_16, (row0_ + _e44));
     let _e69 = TextureView_texel(this_16, (row0_ + _e50));
-    let _e70 = (x_8 - left);
+    let _e70 = (x_10 - left);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
     let _e78 = TextureView_texel(this_16, (row1_ + _e44));
     let _e80 = TextureView_texel(this_16, (row1_ + _e50));
-    let _e81 = (x_8 - left);
+    let _e81 = (x_10 - left);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e88 = (y_2 - top);
+    let _e88 = (y_4 - top);
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
@@ -1171,7 +1262,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, textur
 // glimt_render_gpu/src/kernels/material.rs:280
 fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
     var alpha: f32;
-    var chosen_6: f32;
+    var chosen_5: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:281
     let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
@@ -1197,21 +1288,21 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
     // glimt_render_gpu/src/kernels/material.rs:290
     let _e31 = alpha;
     if (_e31 >= _e23) {
-        chosen_6 = 1f;
+        chosen_5 = 1f;
     } else {
-        chosen_6 = 0f;
+        chosen_5 = 0f;
     }
-    let _e35 = chosen_6;
+    let _e35 = chosen_5;
     return _e35;
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:14
-fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
+fn alpha_at(triangle_3: Triangle, u_3: f32, v_2: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/opacity.rs:15
-    let _e6 = Attributes_at(triangle_2.attributes, u_3, v_2);
+    let _e6 = Attributes_at(triangle_3.attributes, u_3, v_2);
     // glimt_render_gpu/src/kernels/opacity.rs:16
-    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    let _e11 = MaterialView_new((triangle_3.material & 2147483647u));
     // glimt_render_gpu/src/kernels/opacity.rs:17
     let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
     return _e18;
@@ -1227,385 +1318,372 @@ fn passes(key_3: u32, index_12: u32, alpha_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_13: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
+fn is_passed(index_13: u32, triangle_4: Triangle, ray_6: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
-    let _e5 = barycentrics(triangle_3, ray_5);
+    let _e5 = barycentrics(triangle_4, ray_6);
     // glimt_render_gpu/src/kernels/opacity.rs:35
-    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    let _e9 = alpha_at(triangle_4, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_5.key, index_13, _e9);
+    let _e12 = passes(ray_6.key, index_13, _e9);
     return _e12;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:45
+// glimt_render_gpu/src/kernels/triangle.rs:85
 fn Triangle_is_catcher(this_17: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:46
+    // glimt_render_gpu/src/kernels/triangle.rs:86
     return ((this_17.object & 2147483648u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_18: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:71
+fn Triangle_b(this_18: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_18.v1_ - this_18.v0_), (this_18.v2_ - this_18.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    return vec3<f32>(this_18.x.y, this_18.y.y, this_18.z.y);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_19: Triangle) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_a(this_19: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_19.v0_), abs(this_19.v1_)), abs(this_19.v2_));
-    // glimt_render_gpu/src/kernels/triangle.rs:68
-    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return vec3<f32>(this_19.x.x, this_19.y.x, this_19.z.x);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_20: Triangle, ray_6: Ray, t: f32) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:78
+fn Triangle_c(this_20: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_20);
-    // glimt_render_gpu/src/kernels/triangle.rs:76
-    let across = abs(dot(_e5, ray_6.direction));
-    // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_20);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_6.direction, ray_6.direction)))));
-    // glimt_render_gpu/src/kernels/triangle.rs:82
+    // glimt_render_gpu/src/kernels/triangle.rs:79
+    return vec3<f32>(this_20.x.z, this_20.y.z, this_20.z.z);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:140
+fn Triangle_area_normal(this_21: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:141
+    let _e3 = Triangle_b(this_21);
+    let _e4 = Triangle_a(this_21);
+    let _e6 = Triangle_c(this_21);
+    let _e7 = Triangle_a(this_21);
+    return cross((_e3 - _e4), (_e6 - _e7));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:106
+fn Triangle_ray_offset(this_22: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:107
+    let extent = max(max(abs(this_22.x), abs(this_22.y)), abs(this_22.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:108
+    return (0.0000038146973f * max(max(max(extent.x, extent.y), extent.z), extent.w));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:114
+fn Triangle_setback(this_23: Triangle, ray_7: Ray, t: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:115
+    let _e5 = Triangle_area_normal(this_23);
+    // glimt_render_gpu/src/kernels/triangle.rs:116
+    let across = abs(dot(_e5, ray_7.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:117
+    let _e12 = Triangle_ray_offset(this_23);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_7.direction, ray_7.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:122
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_14: u32, triangle_4: Triangle, ray_7: Ray, t_1: f32, no_catcher: bool) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:214
+fn held(index_14: u32, triangle_5: Triangle, ray_8: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:195
-    let _e7 = Triangle_is_see_through(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:222
+    let _e7 = Triangle_is_see_through(triangle_5);
     both = _e7;
     if _e7 {
-        let _e9 = is_passed(index_14, triangle_4, ray_7);
+        let _e9 = is_passed(index_14, triangle_5, ray_8);
         both = _e9;
     }
     let _e10 = both;
     if _e10 {
-        // glimt_render_gpu/src/kernels/bvh.rs:196
+        // glimt_render_gpu/src/kernels/bvh.rs:223
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:198
-    let _e14 = Triangle_is_catcher(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:225
+    let _e14 = Triangle_is_catcher(triangle_5);
     if !(_e14) {
-        // glimt_render_gpu/src/kernels/bvh.rs:199
+        // glimt_render_gpu/src/kernels/bvh.rs:226
         return t_1;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:201
+    // glimt_render_gpu/src/kernels/bvh.rs:228
     if no_catcher {
-        // glimt_render_gpu/src/kernels/bvh.rs:202
+        // glimt_render_gpu/src/kernels/bvh.rs:229
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_7, t_1);
+    // glimt_render_gpu/src/kernels/bvh.rs:231
+    let _e21 = Triangle_setback(triangle_5, ray_8, t_1);
     return (t_1 + _e21);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:160
-fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn visit_leaf(first_2: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter_1: u32;
     var t_2: f32;
     var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:169
+    // glimt_render_gpu/src/kernels/bvh.rs:196
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:170
-    counter_1 = leaf.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:197
+    let _e12 = scene_triangles[first_2].run;
+    counter_1 = first_2;
     loop {
         let i = counter_1;
-        if (i >= (leaf.first + leaf.count)) {
+        if (i >= (first_2 + _e12)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:171
-        let _e19 = scene_triangles[i];
-        let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_8, _e20);
-        t_2 = _e21;
-        // glimt_render_gpu/src/kernels/bvh.rs:173
-        let _e24 = t_2;
-        let _e25 = (*reach);
-        let _e26 = (_e24 < _e25);
-        both_1 = _e26;
-        if _e26 {
-            let _e31 = scene_triangles[i].object;
-            both_1 = (_e31 >= 1073741824u);
+        // glimt_render_gpu/src/kernels/bvh.rs:198
+        let _e20 = scene_triangles[i];
+        let _e21 = (*reach_1);
+        let _e22 = intersect(_e20, ray_9, _e21);
+        t_2 = _e22;
+        // glimt_render_gpu/src/kernels/bvh.rs:200
+        let _e25 = t_2;
+        let _e26 = (*reach_1);
+        let _e27 = (_e25 < _e26);
+        both_1 = _e27;
+        if _e27 {
+            let _e32 = scene_triangles[i].object;
+            both_1 = (_e32 >= 1073741824u);
         }
-        let _e34 = both_1;
-        if _e34 {
-            // glimt_render_gpu/src/kernels/bvh.rs:174
-            let _e38 = scene_triangles[i];
-            let _e39 = t_2;
-            let _e40 = held(i, _e38, ray_8, _e39, no_catcher_1);
-            t_2 = _e40;
+        let _e35 = both_1;
+        if _e35 {
+            // glimt_render_gpu/src/kernels/bvh.rs:201
+            let _e39 = scene_triangles[i];
+            let _e40 = t_2;
+            let _e41 = held(i, _e39, ray_9, _e40, no_catcher_1);
+            t_2 = _e41;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:176
-        let _e42 = t_2;
-        let _e43 = (*reach);
-        if (_e42 < _e43) {
-            // glimt_render_gpu/src/kernels/bvh.rs:177
-            let _e46 = t_2;
-            (*reach) = _e46;
-            // glimt_render_gpu/src/kernels/bvh.rs:178
+        // glimt_render_gpu/src/kernels/bvh.rs:203
+        let _e43 = t_2;
+        let _e44 = (*reach_1);
+        if (_e43 < _e44) {
+            // glimt_render_gpu/src/kernels/bvh.rs:204
+            let _e47 = t_2;
+            (*reach_1) = _e47;
+            // glimt_render_gpu/src/kernels/bvh.rs:205
             nearest = i;
         }
         continuing {
-            let _e48 = counter_1;
-            counter_1 = (_e48 + 1u);
+            let _e49 = counter_1;
+            counter_1 = (_e49 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:181
-    let _e52 = nearest;
-    return _e52;
+    // glimt_render_gpu/src/kernels/bvh.rs:208
+    let _e53 = nearest;
+    return _e53;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:91
-fn traverse(ray_9: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
-    var either: bool;
+// glimt_render_gpu/src/kernels/bvh.rs:125
+fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var best_1: u32;
     var stack: array<u32, 64>;
     var height: u32;
-    var pair: u32;
-    var near: BvhNode;
-    var far: BvhNode;
-    var t_near: f32;
-    var t_far: f32;
-    var into_near: bool;
-    var into_far: bool;
+    var at: u32;
+    var next: u32;
+    var node_2: BvhNode;
+    var met: Met;
+    var distance_: f32;
+    var counter_2: u32;
+    var waiting: u32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:99
-    let _e8 = (arrayLength((&scene_nodes)) == 0u);
-    either = _e8;
-    if _e8 {
-    } else {
-        let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_9);
-        let _e15 = (*reach_1);
-        either = (_e14 >= _e15);
-    }
-    let _e17 = either;
-    if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:100
+    // glimt_render_gpu/src/kernels/bvh.rs:133
+    if (arrayLength((&scene_nodes)) == 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:134
         return 4294967295u;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:102
-    let root = scene_nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:103
-    if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:104
-        let _e31 = visit_leaf(root, ray_9, reach_1, 4294967295u, any_);
-        return _e31;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:106
+    // glimt_render_gpu/src/kernels/bvh.rs:136
     best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:107
+    // glimt_render_gpu/src/kernels/bvh.rs:137
     stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:108
+    // glimt_render_gpu/src/kernels/bvh.rs:138
     height = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:109
-    pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:110
+    // glimt_render_gpu/src/kernels/bvh.rs:139
+    at = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:140
     loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:111
-        let _e47 = pair;
-        let _e50 = scene_nodes[_e47];
-        near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:112
-        let _e53 = pair;
-        let _e58 = scene_nodes[(_e53 + 1u)];
-        far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:113
-        let _e61 = near;
-        let _e62 = box_distance(_e61, ray_9);
-        t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:114
-        let _e65 = far;
-        let _e66 = box_distance(_e65, ray_9);
-        t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:116
-        let _e69 = t_near;
-        let _e70 = t_far;
-        if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:117
-            let node_1 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:118
-            let _e75 = far;
-            near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:119
-            far = node_1;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
-            let t_6 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:121
-            let _e80 = t_far;
-            t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:122
-            t_far = t_6;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:124
-        let _e83 = t_near;
-        let _e84 = (*reach_1);
-        into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:125
-        let _e88 = into_near;
-        let _e90 = near.count;
-        if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
-            let _e95 = near;
-            let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_9, reach_1, _e96, any_);
-            best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
-            let _e99 = best_1;
-            if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
-                let _e104 = best_1;
-                return _e104;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:130
-            into_near = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:132
-        let _e108 = t_far;
-        let _e109 = (*reach_1);
-        into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:133
-        let _e113 = into_far;
-        let _e115 = far.count;
-        if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:134
-            let _e120 = far;
-            let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_9, reach_1, _e121, any_);
-            best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:135
-            let _e124 = best_1;
-            if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:136
-                let _e129 = best_1;
-                return _e129;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:138
-            into_far = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:140
-        let _e133 = into_near;
-        if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:141
-            let _e136 = near.first;
-            pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:142
-            let _e138 = into_far;
-            if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:143
-                let _e141 = far.first;
-                let _e142 = height;
-                stack[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:144
-                let _e146 = height;
-                height = (_e146 + 1u);
-            }
-        } else {
-            let _e148 = into_far;
-            if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:147
-                let _e151 = far.first;
-                pair = _e151;
-            } else {
-                let _e152 = height;
-                if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:149
-                    let _e157 = height;
-                    height = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:150
-                    let _e160 = height;
-                    let _e162 = stack[_e160];
-                    pair = _e162;
-                } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:142
+        next = 0u;
+        // glimt_render_gpu/src/kernels/bvh.rs:143
+        let _e29 = at;
+        if (_e29 < 2147483648u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:144
+            let _e33 = at;
+            let _e36 = scene_nodes[_e33];
+            node_2 = _e36;
+            // glimt_render_gpu/src/kernels/bvh.rs:145
+            let _e39 = node_2;
+            let _e40 = (*reach_2);
+            let _e41 = meet(_e39, ray_10, _e40);
+            met = _e41;
+            // glimt_render_gpu/src/kernels/bvh.rs:146
+            distance_ = 0x1.fffffep+127f;
+            // glimt_render_gpu/src/kernels/bvh.rs:148
+            counter_2 = 0u;
+            loop {
+                let i_1 = counter_2;
+                if (i_1 >= 4u) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/bvh.rs:149
+                let child = node_2.children[i_1];
+                // glimt_render_gpu/src/kernels/bvh.rs:150
+                let _e58 = met.children;
+                if (((_e58 >> (i_1 & 31u)) & 1u) != 0u) {
                     // glimt_render_gpu/src/kernels/bvh.rs:152
-                    let _e164 = best_1;
-                    return _e164;
+                    let _e67 = next;
+                    waiting = _e67;
+                    // glimt_render_gpu/src/kernels/bvh.rs:153
+                    if any_ {
+                        // glimt_render_gpu/src/kernels/bvh.rs:154
+                        next = child;
+                    } else {
+                        let _e73 = met.distances[i_1];
+                        let _e74 = distance_;
+                        if (_e73 < _e74) {
+                            // glimt_render_gpu/src/kernels/bvh.rs:156
+                            let _e79 = met.distances[i_1];
+                            distance_ = _e79;
+                            // glimt_render_gpu/src/kernels/bvh.rs:157
+                            next = child;
+                        } else {
+                            // glimt_render_gpu/src/kernels/bvh.rs:159
+                            waiting = child;
+                        }
+                    }
+                    // glimt_render_gpu/src/kernels/bvh.rs:161
+                    let _e83 = waiting;
+                    if (_e83 > 0u) {
+                        // glimt_render_gpu/src/kernels/bvh.rs:162
+                        let _e87 = waiting;
+                        let _e88 = height;
+                        stack[_e88] = _e87;
+                        // glimt_render_gpu/src/kernels/bvh.rs:163
+                        let _e92 = height;
+                        height = (_e92 + 1u);
+                    }
+                }
+                continuing {
+                    let _e94 = counter_2;
+                    counter_2 = (_e94 + 1u);
                 }
             }
+        } else {
+            // glimt_render_gpu/src/kernels/bvh.rs:168
+            let _e98 = at;
+            let _e101 = best_1;
+            let _e102 = visit_leaf((_e98 - 2147483648u), ray_10, reach_2, _e101, any_);
+            best_1 = _e102;
+            // glimt_render_gpu/src/kernels/bvh.rs:169
+            let _e104 = best_1;
+            if (any_ && (_e104 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:170
+                let _e109 = best_1;
+                return _e109;
+            }
         }
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e111 = next;
+        if (_e111 == 0u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e115 = height;
+            if (_e115 == 0u) {
+                // glimt_render_gpu/src/kernels/bvh.rs:175
+                let _e119 = best_1;
+                return _e119;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e122 = height;
+            height = (_e122 - 1u);
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            let _e125 = height;
+            let _e127 = stack[_e125];
+            next = _e127;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:180
+        let _e129 = next;
+        at = _e129;
     }
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:47
-fn closest_hit(ray_10: Ray, t_max_1: f32) -> Option_Hit {
+// glimt_render_gpu/src/kernels/bvh.rs:82
+fn closest_hit(ray_11: Ray, t_max_1: f32) -> Option_Hit {
     var t_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:54
+    // glimt_render_gpu/src/kernels/bvh.rs:89
     t_3 = t_max_1;
-    // glimt_render_gpu/src/kernels/bvh.rs:55
-    let _e7 = traverse(ray_10, (&t_3), false);
-    // glimt_render_gpu/src/kernels/bvh.rs:56
+    // glimt_render_gpu/src/kernels/bvh.rs:90
+    let _e7 = traverse(ray_11, (&t_3), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:91
     if (_e7 == 4294967295u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:57
+        // glimt_render_gpu/src/kernels/bvh.rs:92
         return Option_Hit();
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:59
-    let triangle_5 = scene_triangles[_e7];
-    // glimt_render_gpu/src/kernels/bvh.rs:60
-    let _e18 = Triangle_is_catcher(triangle_5);
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    let triangle_6 = scene_triangles[_e7];
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    let _e18 = Triangle_is_catcher(triangle_6);
     if _e18 {
-        // glimt_render_gpu/src/kernels/bvh.rs:62
-        let _e21 = intersect(triangle_5, ray_10, 0x1.fffffep+127f);
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e21 = intersect(triangle_6, ray_11, 0x1.fffffep+127f);
         t_3 = _e21;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:64
+    // glimt_render_gpu/src/kernels/bvh.rs:99
     let _e23 = t_3;
-    let _e24 = barycentrics(triangle_5, ray_10);
+    let _e24 = barycentrics(triangle_6, ray_11);
     return Option_Hit(true, Hit(_e7, _e23, _e24));
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:82
-fn Scene_closest_hit(ray_11: Ray) -> Option_Hit {
+fn Scene_closest_hit(ray_12: Ray) -> Option_Hit {
 
     // glimt_render_gpu/src/kernels/scene.rs:83
-    let _e4 = closest_hit(ray_11, 0x1.fffffep+127f);
+    let _e4 = closest_hit(ray_12, 0x1.fffffep+127f);
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:88
-fn Triangle_outward(this_21: Triangle) -> vec3<f32> {
-    var chosen_7: vec3<f32>;
+// glimt_render_gpu/src/kernels/triangle.rs:128
+fn Triangle_outward(this_24: Triangle) -> vec3<f32> {
+    var chosen_6: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:89
-    let _e3 = Triangle_area_normal(this_21);
-    // glimt_render_gpu/src/kernels/triangle.rs:90
-    if ((this_21.object & 536870912u) != 0u) {
-        // glimt_render_gpu/src/kernels/triangle.rs:91
-        chosen_7 = -(_e3);
+    // glimt_render_gpu/src/kernels/triangle.rs:129
+    let _e3 = Triangle_area_normal(this_24);
+    // glimt_render_gpu/src/kernels/triangle.rs:130
+    if ((this_24.object & 536870912u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:131
+        chosen_6 = -(_e3);
     } else {
-        // glimt_render_gpu/src/kernels/triangle.rs:93
-        chosen_7 = _e3;
+        // glimt_render_gpu/src/kernels/triangle.rs:133
+        chosen_6 = _e3;
     }
-    let _e14 = chosen_7;
+    let _e14 = chosen_6;
     return _e14;
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:144
 fn unit_or(v_3: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
-    var chosen_8: vec3<f32>;
+    var chosen_7: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/scene.rs:145
     let length_squared = dot(v_3, v_3);
     // glimt_render_gpu/src/kernels/scene.rs:146
     if (length_squared > 0.000000000001f) {
         // glimt_render_gpu/src/kernels/scene.rs:147
-        chosen_8 = (v_3 / vec3(sqrt(length_squared)));
+        chosen_7 = (v_3 / vec3(sqrt(length_squared)));
     } else {
         // glimt_render_gpu/src/kernels/scene.rs:149
-        chosen_8 = otherwise;
+        chosen_7 = otherwise;
     }
-    let _e14 = chosen_8;
+    let _e14 = chosen_7;
     return _e14;
 }
 
@@ -1623,15 +1701,15 @@ fn MaterialView_bumped_normal(words_start_4: u32, words_len_4: u32, uv_3: vec2<f
         return normal;
     }
     // glimt_render_gpu/src/kernels/material.rs:304
-    let t_7 = normalize(across_1);
+    let t_6 = normalize(across_1);
     // glimt_render_gpu/src/kernels/material.rs:305
-    let b_5 = (cross(normal, t_7) * handedness);
+    let b_3 = (cross(normal, t_6) * handedness);
     // glimt_render_gpu/src/kernels/material.rs:306
     let _e30 = MaterialView_sample(words_start_4, words_len_4, 40u, _e9, uv_3);
     let bump = ((_e30.xyz * 2f) - vec3(1f));
     // glimt_render_gpu/src/kernels/material.rs:307
     let _e44 = MaterialView_number(words_start_4, words_len_4, 14u);
-    let tilt = (((t_7 * bump.x) + (b_5 * bump.y)) * _e44);
+    let tilt = (((t_6 * bump.x) + (b_3 * bump.y)) * _e44);
     // glimt_render_gpu/src/kernels/material.rs:308
     let _e50 = unit_or((tilt + (normal * bump.z)), normal);
     return _e50;
@@ -1660,18 +1738,18 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
     // glimt_sampling/src/math.rs:46
     let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
     // glimt_sampling/src/math.rs:47
-    let a_4 = (-1f / (sign_ + n_2.z));
+    let a_2 = (-1f / (sign_ + n_2.z));
     // glimt_sampling/src/math.rs:48
-    let c_3 = ((n_2.x * n_2.y) * a_4);
+    let c_1 = ((n_2.x * n_2.y) * a_2);
     // glimt_sampling/src/math.rs:49
-    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_4)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_4)), -(n_2.y)), n_2);
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_2)), (sign_ * c_1), (-(sign_) * n_2.x)), vec3<f32>(c_1, (sign_ + ((n_2.y * n_2.y) * a_2)), -(n_2.y)), n_2);
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_22: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_25: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_4, this_22.t), dot(v_4, this_22.b), dot(v_4, this_22.n));
+    return vec3<f32>(dot(v_4, this_25.t), dot(v_4, this_25.b), dot(v_4, this_25.n));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:186
@@ -1807,91 +1885,96 @@ fn MaterialView_emission(words_start_8: u32, words_len_8: u32, uv_6: vec2<f32>, 
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:88
-fn Scene_shading_point(ray_12: Ray, hit: Hit) -> ShadingPoint {
-    var chosen_9: vec3<f32>;
-    var chosen_10: f32;
-    var chosen_11: vec3<f32>;
+fn Scene_shading_point(ray_13: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_8: vec3<f32>;
+    var chosen_9: f32;
+    var chosen_10: vec3<f32>;
     var vertex_color_3: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/scene.rs:89
-    let triangle_6 = scene_triangles[hit.triangle];
+    let triangle_7 = scene_triangles[hit.triangle];
     // glimt_render_gpu/src/kernels/scene.rs:90
-    let first_3 = (3u * hit.triangle);
+    let first_4 = (3u * hit.triangle);
     // glimt_render_gpu/src/kernels/scene.rs:91
-    let a_5 = scene_corners[first_3];
+    let a_3 = scene_corners[first_4];
     // glimt_render_gpu/src/kernels/scene.rs:92
-    let b_6 = scene_corners[(first_3 + 1u)];
+    let b_4 = scene_corners[(first_4 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:93
-    let c_4 = scene_corners[(first_3 + 2u)];
+    let c_2 = scene_corners[(first_4 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:94
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u_8 = _e33.fa;
     let v_5 = _e33.fb;
     // glimt_render_gpu/src/kernels/scene.rs:95
-    let w_3 = ((1f - u_8) - v_5);
+    let w_4 = ((1f - u_8) - v_5);
     // glimt_render_gpu/src/kernels/scene.rs:97
-    let to_eye_1 = -(ray_12.direction);
+    let to_eye_1 = -(ray_13.direction);
     // glimt_render_gpu/src/kernels/scene.rs:98
-    let _e44 = Triangle_outward(triangle_6);
+    let _e44 = Triangle_outward(triangle_7);
     let outward = normalize(_e44);
     // glimt_render_gpu/src/kernels/scene.rs:99
     let is_inside = (dot(outward, to_eye_1) < 0f);
     // glimt_render_gpu/src/kernels/scene.rs:100
     if is_inside {
-        chosen_9 = -(outward);
+        chosen_8 = -(outward);
     } else {
-        chosen_9 = outward;
+        chosen_8 = outward;
     }
-    let geometric_normal_1 = chosen_9;
+    let geometric_normal_1 = chosen_8;
     // glimt_render_gpu/src/kernels/scene.rs:101
-    let _e63 = unit_or((((a_5.normal * w_3) + (b_6.normal * u_8)) + (c_4.normal * v_5)), outward);
+    let _e63 = unit_or((((a_3.normal * w_4) + (b_4.normal * u_8)) + (c_2.normal * v_5)), outward);
     // glimt_render_gpu/src/kernels/scene.rs:103
-    let uv_7 = vec2<f32>((((a_5.u * w_3) + (b_6.u * u_8)) + (c_4.u * v_5)), (((a_5.v * w_3) + (b_6.v * u_8)) + (c_4.v * v_5)));
+    let uv_7 = vec2<f32>((((a_3.u * w_4) + (b_4.u * u_8)) + (c_2.u * v_5)), (((a_3.v * w_4) + (b_4.v * u_8)) + (c_2.v * v_5)));
     // glimt_render_gpu/src/kernels/scene.rs:104
-    let _e86 = MaterialView_new((triangle_6.material & 2147483647u));
+    let _e86 = MaterialView_new((triangle_7.material & 2147483647u));
     // glimt_render_gpu/src/kernels/scene.rs:105
-    let tangent_1 = (((a_5.tangent * w_3) + (b_6.tangent * u_8)) + (c_4.tangent * v_5));
+    let tangent_1 = (((a_3.tangent * w_4) + (b_4.tangent * u_8)) + (c_2.tangent * v_5));
     // glimt_render_gpu/src/kernels/scene.rs:106
-    if ((triangle_6.material & 2147483648u) != 0u) {
+    if ((triangle_7.material & 2147483648u) != 0u) {
         // glimt_render_gpu/src/kernels/scene.rs:107
-        chosen_10 = -1f;
+        chosen_9 = -1f;
     } else {
         // glimt_render_gpu/src/kernels/scene.rs:109
-        chosen_10 = 1f;
+        chosen_9 = 1f;
     }
-    let handedness_1 = chosen_10;
+    let handedness_1 = chosen_9;
     // glimt_render_gpu/src/kernels/scene.rs:111
     let _e111 = MaterialView_bumped_normal(_e86.value_words_start, _e86.value_words_len, uv_7, _e63, tangent_1, handedness_1);
     // glimt_render_gpu/src/kernels/scene.rs:113
     if is_inside {
-        chosen_11 = -(_e111);
+        chosen_10 = -(_e111);
     } else {
-        chosen_11 = _e111;
+        chosen_10 = _e111;
     }
-    let sided = chosen_11;
+    let sided = chosen_10;
     // glimt_render_gpu/src/kernels/scene.rs:114
     let _e117 = bent_towards(sided, to_eye_1, geometric_normal_1);
     // glimt_render_gpu/src/kernels/scene.rs:116
     vertex_color_3 = vec3(1f);
     // glimt_render_gpu/src/kernels/scene.rs:117
-    if (triangle_6.attributes != 0u) {
+    if (triangle_7.attributes != 0u) {
         // glimt_render_gpu/src/kernels/scene.rs:118
-        let _e128 = Attributes_at(triangle_6.attributes, u_8, v_5);
+        let _e128 = Attributes_at(triangle_7.attributes, u_8, v_5);
         // glimt_render_gpu/src/kernels/scene.rs:119
         vertex_color_3 = _e128.color.xyz;
     }
     // glimt_render_gpu/src/kernels/scene.rs:121
     let _e133 = ShadingFrame_from_normal(_e117);
     // glimt_render_gpu/src/kernels/scene.rs:122
-    let edges = (((triangle_6.v1_ - triangle_6.v0_) * u_8) + ((triangle_6.v2_ - triangle_6.v0_) * v_5));
+    let _e135 = Triangle_b(triangle_7);
+    let _e136 = Triangle_a(triangle_7);
+    let _e139 = Triangle_c(triangle_7);
+    let _e140 = Triangle_a(triangle_7);
+    let edges = (((_e135 - _e136) * u_8) + ((_e139 - _e140) * v_5));
     // glimt_render_gpu/src/kernels/scene.rs:123
-    let _e147 = Triangle_ray_offset(triangle_6);
+    let _e145 = Triangle_a(triangle_7);
+    let _e147 = Triangle_ray_offset(triangle_7);
     let _e150 = ShadingFrame_to_local(_e133, to_eye_1);
     let _e151 = vertex_color_3;
     let _e152 = MaterialView_brdf(_e86.value_words_start, _e86.value_words_len, uv_7, _e151);
     let _e153 = vertex_color_3;
     let _e154 = MaterialView_emission(_e86.value_words_start, _e86.value_words_len, uv_7, _e153);
-    return ShadingPoint(((triangle_6.v0_ + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
+    return ShadingPoint(((_e145 + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
 }
 
 // glimt_sampling/src/sobol.rs:135
@@ -1905,29 +1988,29 @@ fn owen_sobol(index_15: u32, dimension_2: u32, seed_4: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:182
-fn OwenSobol_next_u32_(this_23: ptr<function, OwenSobol>) -> u32 {
+fn OwenSobol_next_u32_(this_26: ptr<function, OwenSobol>) -> u32 {
 
     // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_23).dimension;
+    let dimension_4 = (*this_26).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_23).dimension = (dimension_4 + 1u);
+    (*this_26).dimension = (dimension_4 + 1u);
     // glimt_sampling/src/sobol.rs:185
-    let _e11 = (*this_23).index;
-    let _e13 = (*this_23).seed;
+    let _e11 = (*this_26).index;
+    let _e13 = (*this_26).seed;
     let _e16 = hash2_(_e13, (dimension_4 >> 2u));
     let _e17 = owen_sobol(_e11, dimension_4, _e16);
     return _e17;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:116
-fn PixelPattern_point_triple(this_24: PixelPattern, purpose_5: u32, index_16: u32) -> vec3<u32> {
+fn PixelPattern_point_triple(this_27: PixelPattern, purpose_5: u32, index_16: u32) -> vec3<u32> {
     var point: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:117
-    if (this_24.kind == 0u) {
+    if (this_27.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:118
-        let _e9 = PixelPattern_sobol_point(this_24, purpose_5, index_16);
+        let _e9 = PixelPattern_sobol_point(this_27, purpose_5, index_16);
         point = _e9;
         // glimt_render_gpu/src/kernels/pattern.rs:119
         let _e12 = OwenSobol_next_uvec2_((&point));
@@ -1936,7 +2019,7 @@ fn PixelPattern_point_triple(this_24: PixelPattern, purpose_5: u32, index_16: u3
         return vec3<u32>(_e12, _e14);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:122
-    let _e17 = PixelPattern_generator(this_24, purpose_5, index_16);
+    let _e17 = PixelPattern_generator(this_27, purpose_5, index_16);
     generator = _e17;
     // glimt_render_gpu/src/kernels/pattern.rs:123
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&generator));
@@ -1956,14 +2039,14 @@ fn jittered(index_17: u32, count_2: u32, jitter_2: u32, key_4: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:82
-fn PixelPattern_triple(this_25: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
+fn PixelPattern_triple(this_28: PixelPattern, purpose_6: u32, sample_1: u32, samples_1: u32) -> vec3<u32> {
 
     // glimt_render_gpu/src/kernels/pattern.rs:83
-    let index_20 = ((this_25.ray * samples_1) + sample_1);
+    let index_20 = ((this_28.ray * samples_1) + sample_1);
     // glimt_render_gpu/src/kernels/pattern.rs:84
-    let _e10 = PixelPattern_point_triple(this_25, purpose_6, index_20);
+    let _e10 = PixelPattern_point_triple(this_28, purpose_6, index_20);
     // glimt_render_gpu/src/kernels/pattern.rs:85
-    if (this_25.kind != 2u) {
+    if (this_28.kind != 2u) {
         // glimt_render_gpu/src/kernels/pattern.rs:86
         return _e10;
     }
@@ -1972,8 +2055,8 @@ fn PixelPattern_triple(this_25: PixelPattern, purpose_6: u32, sample_1: u32, sam
     let jitter_3 = _e19.fa;
     let single = _e19.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:89
-    let _e25 = PixelPattern_key(this_25, purpose_6);
-    let _e26 = Tuple_u32_u32_((this_25.rays * samples_1), _e25);
+    let _e25 = PixelPattern_key(this_28, purpose_6);
+    let _e26 = Tuple_u32_u32_((this_28.rays * samples_1), _e25);
     let count_3 = _e26.fa;
     let key_5 = _e26.fb;
     // glimt_render_gpu/src/kernels/pattern.rs:90
@@ -1990,45 +2073,45 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_26: BlinnPhong) -> f32 {
-    var chosen_12: f32;
+fn BlinnPhong_pmf_specular(this_29: BlinnPhong) -> f32 {
+    var chosen_11: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_26.specular);
+    let _e4 = luminance(this_29.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_26.diffuse);
+    let _e7 = luminance(this_29.diffuse);
     let both_2 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_2 > 0f) {
-        chosen_12 = (_e4 / both_2);
+        chosen_11 = (_e4 / both_2);
     } else {
-        chosen_12 = 0f;
+        chosen_11 = 0f;
     }
-    let _e15 = chosen_12;
+    let _e15 = chosen_11;
     return _e15;
 }
 
 // glimt_sampling/src/warp.rs:190
-fn height_of(direction_2: vec3<f32>) -> f32 {
-    var chosen_13: f32;
+fn height_of(direction_1: vec3<f32>) -> f32 {
+    var chosen_12: f32;
 
     // glimt_sampling/src/warp.rs:191
-    if (direction_2.z > 0f) {
+    if (direction_1.z > 0f) {
         // glimt_sampling/src/warp.rs:192
-        chosen_13 = (((direction_2.x * direction_2.x) + (direction_2.y * direction_2.y)) / (1f + direction_2.z));
+        chosen_12 = (((direction_1.x * direction_1.x) + (direction_1.y * direction_1.y)) / (1f + direction_1.z));
     } else {
         // glimt_sampling/src/warp.rs:194
-        chosen_13 = (1f - direction_2.z);
+        chosen_12 = (1f - direction_1.z);
     }
-    let _e23 = chosen_13;
+    let _e23 = chosen_12;
     return _e23;
 }
 
 // glimt_sampling/src/warp.rs:201
-fn ln_cos_theta(direction_3: vec3<f32>) -> f32 {
+fn ln_cos_theta(direction_2: vec3<f32>) -> f32 {
 
     // glimt_sampling/src/warp.rs:202
-    let _e3 = height_of(direction_3);
+    let _e3 = height_of(direction_2);
     // glimt_sampling/src/warp.rs:203
     if (_e3 < 0.1f) {
         // glimt_sampling/src/warp.rs:204
@@ -2037,49 +2120,49 @@ fn ln_cos_theta(direction_3: vec3<f32>) -> f32 {
         return (0f - (_e3 * (1f + (_e3 * (0.5f + (_e3 * tail))))));
     }
     // glimt_sampling/src/warp.rs:207
-    return log(direction_3.z);
+    return log(direction_2.z);
 }
 
 // glimt_sampling/src/warp.rs:289
-fn pdf_power_cosine_sr(direction_4: vec3<f32>, exponent: f32) -> f32 {
-    var chosen_14: f32;
+fn pdf_power_cosine_sr(direction_3: vec3<f32>, exponent: f32) -> f32 {
+    var chosen_13: f32;
 
     // glimt_sampling/src/warp.rs:290
     let normalisation = ((exponent + 1f) * (0.5f * 0.31830987f));
     // glimt_sampling/src/warp.rs:291
     if (exponent <= 0f) {
         // glimt_sampling/src/warp.rs:292
-        if (direction_4.z >= 0f) {
+        if (direction_3.z >= 0f) {
             // glimt_sampling/src/warp.rs:293
-            chosen_14 = normalisation;
+            chosen_13 = normalisation;
         } else {
             // glimt_sampling/src/warp.rs:295
-            chosen_14 = 0f;
+            chosen_13 = 0f;
         }
-        let _e21 = chosen_14;
+        let _e21 = chosen_13;
         return _e21;
     }
     // glimt_sampling/src/warp.rs:298
-    if (direction_4.z <= 0f) {
+    if (direction_3.z <= 0f) {
         // glimt_sampling/src/warp.rs:299
         return 0f;
     }
     // glimt_sampling/src/warp.rs:301
-    let _e29 = ln_cos_theta(direction_4);
+    let _e29 = ln_cos_theta(direction_3);
     return (normalisation * exp((exponent * _e29)));
 }
 
 // glimt_sampling/src/warp.rs:182
 fn cos_sin_turns(turns: f32) -> vec2<f32> {
-    var chosen_15: f32;
+    var chosen_14: f32;
 
     // glimt_sampling/src/warp.rs:183
     if (turns < 0.5f) {
-        chosen_15 = turns;
+        chosen_14 = turns;
     } else {
-        chosen_15 = (turns - 1f);
+        chosen_14 = (turns - 1f);
     }
-    let signed = chosen_15;
+    let signed = chosen_14;
     // glimt_sampling/src/warp.rs:184
     let phi = (6.2831855f * signed);
     // glimt_sampling/src/warp.rs:185
@@ -2098,19 +2181,19 @@ fn sample_power_cosine(u_4: vec2<f32>, exponent_1: f32) -> DirectionSample {
         return DirectionSample(vec3<f32>(1f, 0f, 0f), _e16);
     }
     // glimt_sampling/src/warp.rs:266
-    let t_8 = ((2f / (exponent_1 + 1f)) * (0f - log(u_4.x)));
+    let t_7 = ((2f / (exponent_1 + 1f)) * (0f - log(u_4.x)));
     // glimt_sampling/src/warp.rs:269
-    if (t_8 < 0.25f) {
+    if (t_7 < 0.25f) {
         // glimt_sampling/src/warp.rs:270
-        let tail_1 = ((1f / 6f) - (t_8 * ((1f / 24f) - (t_8 * ((1f / 120f) - (t_8 / 720f))))));
+        let tail_1 = ((1f / 6f) - (t_7 * ((1f / 24f) - (t_7 * ((1f / 120f) - (t_7 / 720f))))));
         // glimt_sampling/src/warp.rs:271
-        sin2_theta = max((t_8 * (1f - (t_8 * (0.5f - (t_8 * tail_1))))), 0f);
+        sin2_theta = max((t_7 * (1f - (t_7 * (0.5f - (t_7 * tail_1))))), 0f);
         // glimt_sampling/src/warp.rs:272
         let _e62 = sin2_theta;
         cos_theta = sqrt((1f - _e62));
     } else {
         // glimt_sampling/src/warp.rs:274
-        cos_theta = exp((-0.5f * t_8));
+        cos_theta = exp((-0.5f * t_7));
         // glimt_sampling/src/warp.rs:275
         let _e71 = cos_theta;
         let _e72 = cos_theta;
@@ -2123,35 +2206,35 @@ fn sample_power_cosine(u_4: vec2<f32>, exponent_1: f32) -> DirectionSample {
     let _e80 = cos_sin_turns(u_4.y);
     // glimt_sampling/src/warp.rs:279
     let _e86 = cos_theta;
-    let direction_6 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
+    let direction_5 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
     // glimt_sampling/src/warp.rs:280
-    let _e89 = pdf_power_cosine_sr(direction_6, exponent_1);
-    return DirectionSample(direction_6, _e89);
+    let _e89 = pdf_power_cosine_sr(direction_5, exponent_1);
+    return DirectionSample(direction_5, _e89);
 }
 
 // glimt_sampling/src/warp.rs:31
 fn sample_concentric_disk(u_5: vec2<f32>) -> vec2<f32> {
 
     // glimt_sampling/src/warp.rs:32
-    let a_6 = ((2f * u_5.x) - 1f);
+    let a_4 = ((2f * u_5.x) - 1f);
     // glimt_sampling/src/warp.rs:33
-    let b_7 = ((2f * u_5.y) - 1f);
+    let b_5 = ((2f * u_5.y) - 1f);
     // glimt_sampling/src/warp.rs:34
-    if ((a_6 == 0f) && (b_7 == 0f)) {
+    if ((a_4 == 0f) && (b_5 == 0f)) {
         // glimt_sampling/src/warp.rs:35
         return vec2(0f);
     }
     // glimt_sampling/src/warp.rs:37
-    if ((a_6 * a_6) > (b_7 * b_7)) {
+    if ((a_4 * a_4) > (b_5 * b_5)) {
         // glimt_sampling/src/warp.rs:38
-        let phi_1 = (0.7853982f * (b_7 / a_6));
+        let phi_1 = (0.7853982f * (b_5 / a_4));
         // glimt_sampling/src/warp.rs:39
-        return vec2<f32>((a_6 * cos(phi_1)), (a_6 * sin(phi_1)));
+        return vec2<f32>((a_4 * cos(phi_1)), (a_4 * sin(phi_1)));
     }
     // glimt_sampling/src/warp.rs:41
-    let phi_2 = (0.7853982f * (a_6 / b_7));
+    let phi_2 = (0.7853982f * (a_4 / b_5));
     // glimt_sampling/src/warp.rs:42
-    return vec2<f32>((b_7 * sin(phi_2)), (b_7 * cos(phi_2)));
+    return vec2<f32>((b_5 * sin(phi_2)), (b_5 * cos(phi_2)));
 }
 
 // glimt_sampling/src/warp.rs:88
@@ -2163,16 +2246,16 @@ fn sample_cosine_hemisphere(u_6: vec2<f32>) -> DirectionSample {
     let _e10 = abs(((2f * u_6) - vec2(1f)));
     let r_1 = max(_e10.x, _e10.y);
     // glimt_sampling/src/warp.rs:93
-    let z_2 = sqrt(((1f - r_1) * (1f + r_1)));
+    let z_4 = sqrt(((1f - r_1) * (1f + r_1)));
     // glimt_sampling/src/warp.rs:94
-    return DirectionSample(vec3<f32>(_e3, z_2), (z_2 * 0.31830987f));
+    return DirectionSample(vec3<f32>(_e3, z_4), (z_4 * 0.31830987f));
 }
 
 // glimt_sampling/src/warp.rs:103
-fn pdf_cosine_hemisphere_sr(direction_5: vec3<f32>) -> f32 {
+fn pdf_cosine_hemisphere_sr(direction_4: vec3<f32>) -> f32 {
 
     // glimt_sampling/src/warp.rs:104
-    return (max(direction_5.z, 0f) * 0.31830987f);
+    return (max(direction_4.z, 0f) * 0.31830987f);
 }
 
 // glimt_brdf/src/lobe.rs:20
@@ -2188,21 +2271,21 @@ fn HalfVector_new(wo: vec3<f32>, wi: vec3<f32>) -> HalfVector {
 
 // glimt_brdf/src/lobe.rs:59
 fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
-    var chosen_16: f32;
+    var chosen_15: f32;
 
     // glimt_brdf/src/lobe.rs:60
     if (sin2_theta_1 < (1f / 16f)) {
         // glimt_brdf/src/lobe.rs:62
-        let t_9 = (sin2_theta_1 / (2f - sin2_theta_1));
+        let t_8 = (sin2_theta_1 / (2f - sin2_theta_1));
         // glimt_brdf/src/lobe.rs:63
-        let t2_ = (t_9 * t_9);
+        let t2_ = (t_8 * t_8);
         // glimt_brdf/src/lobe.rs:64
-        chosen_16 = ((-2f * t_9) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
+        chosen_15 = ((-2f * t_8) * (1f + (t2_ * ((1f / 3f) + (t2_ * (1f / 5f))))));
     } else {
         // glimt_brdf/src/lobe.rs:66
-        chosen_16 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
+        chosen_15 = log(max(cos2_theta, 0.0000000000000000000000000000000000001f));
     }
-    let log_cos2_ = chosen_16;
+    let log_cos2_ = chosen_15;
     // glimt_brdf/src/lobe.rs:68
     let log_power = ((0.5f * exponent_2) * log_cos2_);
     // glimt_brdf/src/lobe.rs:69
@@ -2215,23 +2298,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_1: f32, exponent_2: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_27: HalfVector, exponent_3: f32) -> f32 {
+fn HalfVector_lobe(this_30: HalfVector, exponent_3: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_27.cos2_theta, this_27.sin2_theta, exponent_3);
+    let _e6 = cosine_power(this_30.cos2_theta, this_30.sin2_theta, exponent_3);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_28: HalfVector, exponent_4: f32) -> f32 {
+fn HalfVector_pdf_sr(this_31: HalfVector, exponent_4: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_28, exponent_4);
-    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_31, exponent_4);
+    return ((((exponent_4 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_31.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_32: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_1.z <= 0f) || (wi_1.z <= 0f)) {
@@ -2241,7 +2324,7 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_29);
+    let _e17 = BlinnPhong_pmf_specular(this_32);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2249,40 +2332,40 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_1: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_1, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_32.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_30: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec2<f32>) -> BrdfSample {
-    var chosen_17: vec3<f32>;
+fn BlinnPhong_sample(this_33: BlinnPhong, wo_2: vec3<f32>, u_lobe: u32, u_7: vec2<f32>) -> BrdfSample {
+    var chosen_16: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_30);
+    let _e8 = BlinnPhong_pmf_specular(this_33);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_7, this_30.exponent);
+        let _e12 = sample_power_cosine(u_7, this_33.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
-        chosen_17 = (((2f * dot(wo_2, h)) * h) - wo_2);
+        chosen_16 = (((2f * dot(wo_2, h)) * h) - wo_2);
     } else {
         // glimt_brdf/src/blinn_phong.rs:85
         let _e21 = sample_cosine_hemisphere(u_7);
-        chosen_17 = _e21.direction;
+        chosen_16 = _e21.direction;
     }
-    let wi_2 = chosen_17;
+    let wi_2 = chosen_16;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_30, wo_2, wi_2);
+    let _e25 = BlinnPhong_pdf_sr(this_33, wo_2, wi_2);
     return BrdfSample(wi_2, _e25);
 }
 
 // glimt_render_gpu/src/kernels/diagnose.rs:135
-fn brdf_sample(ray_13: u32, frame_2: FrameParams, mis: Mis) -> vec4<f32> {
+fn brdf_sample(ray_14: u32, frame_2: FrameParams, mis: Mis) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/diagnose.rs:136
-    let _e5 = FrameParams_pattern_of(frame_2, ray_13);
+    let _e5 = FrameParams_pattern_of(frame_2, ray_14);
     // glimt_render_gpu/src/kernels/diagnose.rs:137
     let _e7 = FrameParams_camera_ray(frame_2, _e5);
     // glimt_render_gpu/src/kernels/diagnose.rs:138

@@ -1,19 +1,23 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
-    min: vec3<f32>,
-    count: u32,
-    max: vec3<f32>,
-    first: u32,
+    min_x: vec4<f32>,
+    min_y: vec4<f32>,
+    min_z: vec4<f32>,
+    max_x: vec4<f32>,
+    max_y: vec4<f32>,
+    max_z: vec4<f32>,
+    children: array<u32, 4>,
 }
 
 struct Triangle {
-    v0_: vec3<f32>,
+    x: vec4<f32>,
+    y: vec4<f32>,
+    z: vec4<f32>,
     material: u32,
-    v1_: vec3<f32>,
     object: u32,
-    v2_: vec3<f32>,
     attributes: u32,
+    run: u32,
 }
 
 struct RayState {
@@ -142,6 +146,36 @@ struct Ray {
     direction: vec3<f32>,
     inverse_direction: vec3<f32>,
     key: u32,
+}
+
+struct Tuple_f32_f32_f32_ {
+    fa: f32,
+    fb: f32,
+    fc: f32,
+}
+
+struct Met {
+    children: u32,
+    distances: array<f32, 4>,
+}
+
+struct Tuple_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+}
+
+struct Tuple_Vec4_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+    fc: vec4<f32>,
+}
+
+struct Seen {
+    a: vec3<f32>,
+    edge_x: vec4<f32>,
+    edge_y: vec4<f32>,
+    edge_z: vec4<f32>,
+    functions: vec4<f32>,
 }
 
 struct Tuple_u32_u32_ {
@@ -326,11 +360,11 @@ fn ShadingFrame_from_normal(n_1: vec3<f32>) -> ShadingFrame {
     // glimt_sampling/src/math.rs:46
     let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_1.z) & 2147483648u)));
     // glimt_sampling/src/math.rs:47
-    let a_3 = (-1f / (sign_ + n_1.z));
+    let a_2 = (-1f / (sign_ + n_1.z));
     // glimt_sampling/src/math.rs:48
-    let c_2 = ((n_1.x * n_1.y) * a_3);
+    let c_1 = ((n_1.x * n_1.y) * a_2);
     // glimt_sampling/src/math.rs:49
-    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_1.x) * n_1.x) * a_3)), (sign_ * c_2), (-(sign_) * n_1.x)), vec3<f32>(c_2, (sign_ + ((n_1.y * n_1.y) * a_3)), -(n_1.y)), n_1);
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_1.x) * n_1.x) * a_2)), (sign_ * c_1), (-(sign_) * n_1.x)), vec3<f32>(c_1, (sign_ + ((n_1.y * n_1.y) * a_2)), -(n_1.y)), n_1);
 }
 
 // glimt_sampling/src/math.rs:66
@@ -572,98 +606,155 @@ fn Ray_keyed(origin: vec3<f32>, direction_4: vec3<f32>, key: u32) -> Ray {
     return Ray(origin, direction_4, vec3<f32>(_e6, _e8, _e10), key);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:30
-fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:53
+fn meet(node: BvhNode, ray_2: Ray, reach: f32) -> Met {
+    var node_1: BvhNode;
+
+    node_1 = node;
+    // glimt_render_gpu/src/kernels/bvh.rs:54
+    let _e12 = Tuple_f32_f32_f32_(ray_2.origin.x, ray_2.origin.y, ray_2.origin.z);
+    let x_7 = _e12.fa;
+    let y_1 = _e12.fb;
+    let z_1 = _e12.fc;
+    // glimt_render_gpu/src/kernels/bvh.rs:55
+    let inverse_1 = ray_2.inverse_direction;
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e20 = node_1.min_x;
+    let to_min_x = ((_e20 - vec4(x_7)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:57
+    let _e27 = node_1.max_x;
+    let to_max_x = ((_e27 - vec4(x_7)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:58
+    let _e34 = node_1.min_y;
+    let to_min_y = ((_e34 - vec4(y_1)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:59
+    let _e41 = node_1.max_y;
+    let to_max_y = ((_e41 - vec4(y_1)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:60
+    let _e48 = node_1.min_z;
+    let to_min_z = ((_e48 - vec4(z_1)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:61
+    let _e55 = node_1.max_z;
+    let to_max_z = ((_e55 - vec4(z_1)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:62
+    let near_x = min(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:63
+    let near_y = min(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:64
+    let near_z = min(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:65
+    let far_x = max(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    let far_y = max(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let far_z = max(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:68
+    let distances = max(max(near_x, near_y), max(near_z, vec4(0f)));
+    // glimt_render_gpu/src/kernels/bvh.rs:69
+    let far = (min(min(far_x, far_y), far_z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:70
+    let room = (min(far, vec4(reach)) - distances);
+    // glimt_render_gpu/src/kernels/bvh.rs:71
+    return Met((15u - dot((bitcast<vec4<u32>>(room) >> vec4(31u)), vec4<u32>(1u, 2u, 4u, 8u))), array<f32, 4>(distances.x, distances.y, distances.z, distances.w));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:163
+fn seen(triangle: Triangle, ray_3: Ray) -> Seen {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:164
+    let x_8 = (triangle.x - vec4(ray_3.origin.x));
+    // glimt_render_gpu/src/kernels/triangle.rs:165
+    let y_2 = (triangle.y - vec4(ray_3.origin.y));
+    // glimt_render_gpu/src/kernels/triangle.rs:166
+    let z_2 = (triangle.z - vec4(ray_3.origin.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:168
+    let _e24 = Tuple_Vec4_Vec4_(x_8.yzxw, x_8.zxyw);
+    let x1_ = _e24.fa;
+    let x2_ = _e24.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:169
+    let _e30 = Tuple_Vec4_Vec4_(y_2.yzxw, y_2.zxyw);
+    let y1_ = _e30.fa;
+    let y2_ = _e30.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:170
+    let _e36 = Tuple_Vec4_Vec4_(z_2.yzxw, z_2.zxyw);
+    let z1_ = _e36.fa;
+    let z2_ = _e36.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:171
+    let _e43 = Tuple_Vec4_Vec4_Vec4_((x1_ - x2_), (y1_ - y2_), (z1_ - z2_));
+    let edge_x = _e43.fa;
+    let edge_y = _e43.fb;
+    let edge_z = _e43.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:172
+    let _e51 = Tuple_Vec4_Vec4_Vec4_((x1_ + x2_), (y1_ + y2_), (z1_ + z2_));
+    let sum_x = _e51.fa;
+    let sum_y = _e51.fb;
+    let sum_z = _e51.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:173
+    let d_3 = ray_3.direction;
+    // glimt_render_gpu/src/kernels/triangle.rs:174
+    let functions = (((((edge_y * sum_z) - (edge_z * sum_y)) * d_3.x) + (((edge_z * sum_x) - (edge_x * sum_z)) * d_3.y)) + (((edge_x * sum_y) - (edge_y * sum_x)) * d_3.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:177
+    return Seen(vec3<f32>(x_8.x, y_2.x, z_2.x), edge_x, edge_y, edge_z, functions);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:191
+fn intersect(triangle_1: Triangle, ray_4: Ray, t_max: f32) -> f32 {
     var chosen_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:32
-    let to_max = ((node.max - ray_2.origin) * ray_2.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:33
-    let _e16 = min(to_min, to_max);
-    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
-    // glimt_render_gpu/src/kernels/bvh.rs:34
-    let _e23 = max(to_min, to_max);
-    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
-    // glimt_render_gpu/src/kernels/bvh.rs:35
-    if ((far_1 >= near_1) && (far_1 >= 0f)) {
-        // glimt_render_gpu/src/kernels/bvh.rs:36
-        chosen_3 = near_1;
+    // glimt_render_gpu/src/kernels/triangle.rs:192
+    let _e5 = seen(triangle_1, ray_4);
+    // glimt_render_gpu/src/kernels/triangle.rs:193
+    if ((min(min(min(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) < 0f) && (max(max(max(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:194
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:196
+    let from_a = vec3<f32>(_e5.edge_x.y, _e5.edge_y.y, _e5.edge_z.y);
+    // glimt_render_gpu/src/kernels/triangle.rs:197
+    let to_a = vec3<f32>(_e5.edge_x.z, _e5.edge_y.z, _e5.edge_z.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:198
+    let normal = cross(from_a, to_a);
+    // glimt_render_gpu/src/kernels/triangle.rs:199
+    let slope = dot(normal, ray_4.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:200
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:201
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:203
+    let t_5 = (dot(_e5.a, normal) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:204
+    if ((t_5 > 0f) && (t_5 < t_max)) {
+        chosen_3 = t_5;
     } else {
-        // glimt_render_gpu/src/kernels/bvh.rs:38
         chosen_3 = 0x1.fffffep+127f;
     }
-    let _e40 = chosen_3;
-    return _e40;
+    let _e67 = chosen_3;
+    return _e67;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:111
-fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_5: vec3<f32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/triangle.rs:112
-    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_5), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_5), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_5));
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:124
-fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
-    var chosen_4: f32;
-
-    // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_4 = (triangle.v0_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:126
-    let b_3 = (triangle.v1_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_3 = (triangle.v2_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_4, b_3, c_3, ray_3.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:129
-    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:130
-        return 0x1.fffffep+127f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:132
-    let normal = cross((c_3 - a_4), (a_4 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope = dot(normal, ray_3.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:134
-    if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:135
-        return 0x1.fffffep+127f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:137
-    let t_5 = (dot(a_4, normal) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:138
-    if ((t_5 > 0f) && (t_5 < t_max)) {
-        chosen_4 = t_5;
-    } else {
-        chosen_4 = 0x1.fffffep+127f;
-    }
-    let _e59 = chosen_4;
-    return _e59;
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:59
+// glimt_render_gpu/src/kernels/triangle.rs:99
 fn Triangle_is_see_through(this_10: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:60
+    // glimt_render_gpu/src/kernels/triangle.rs:100
     return ((this_10.object & 1073741824u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:144
-fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:210
+fn barycentrics(triangle_2: Triangle, ray_5: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:145
-    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum_4 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:152
+    // glimt_render_gpu/src/kernels/triangle.rs:211
+    let _e4 = seen(triangle_2, ray_5);
+    let w_1 = _e4.functions.xyz;
+    // glimt_render_gpu/src/kernels/triangle.rs:212
+    let sum_4 = ((w_1.x + w_1.y) + w_1.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:213
     if (sum_4 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:154
+        // glimt_render_gpu/src/kernels/triangle.rs:215
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_4));
+    // glimt_render_gpu/src/kernels/triangle.rs:217
+    return (vec2<f32>(w_1.y, w_1.z) / vec2(sum_4));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -693,18 +784,18 @@ fn Attributes_at(first_1: u32, u: f32, v_1: f32) -> Attributes {
     // glimt_render_gpu/src/kernels/material.rs:132
     let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
-    let w_1 = ((1f - u) - v_1);
+    let w_2 = ((1f - u) - v_1);
     // glimt_render_gpu/src/kernels/material.rs:134
-    return Attributes((((_e5.uv * w_1) + (_e9.uv * u)) + (_e15.uv * v_1)), (((_e5.color * w_1) + (_e9.color * u)) + (_e15.color * v_1)));
+    return Attributes((((_e5.uv * w_2) + (_e9.uv * u)) + (_e15.uv * v_1)), (((_e5.color * w_2) + (_e9.color * u)) + (_e15.color * v_1)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
 fn MaterialView_new(index: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_2 = (256u + (index * 76u));
+    let first_3 = (256u + (index * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
-    return Returned_MaterialView_new(first_2, ((first_2 + 76u) - first_2));
+    return Returned_MaterialView_new(first_3, ((first_3 + 76u) - first_3));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
@@ -776,7 +867,7 @@ fn neighbour(index_1: i32, size_4: u32, mode_1: u32) -> u32 {
 
 // glimt_render_gpu/src/kernels/texture.rs:69
 fn TextureView_texel(this_12: TextureView, index_2: u32) -> vec4<f32> {
-    var chosen_5: vec4<f32>;
+    var chosen_4: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
     let word_3 = scene_surface[(this_12.first + index_2)];
@@ -785,7 +876,7 @@ fn TextureView_texel(this_12: TextureView, index_2: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:72
     let g = ((word_3 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word_3 >> 16u) & 255u);
+    let b_2 = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
@@ -793,13 +884,13 @@ fn TextureView_texel(this_12: TextureView, index_2: u32) -> vec4<f32> {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
-        let _e46 = scene_surface[b_4];
-        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+        let _e46 = scene_surface[b_2];
+        chosen_4 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_5 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
+        chosen_4 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_2) / 255f), alpha_2);
     }
-    let _e60 = chosen_5;
+    let _e60 = chosen_4;
     return _e60;
 }
 
@@ -812,12 +903,12 @@ fn TextureView_sample(this_13: TextureView, uv: vec2<f32>) -> vec4<f32> {
     let wrap_v = ((this_13.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_7 = ((_e21 * f32(this_13.width)) - 0.5f);
+    let x_9 = ((_e21 * f32(this_13.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_1 = ((_e29 * f32(this_13.height)) - 0.5f);
+    let y_3 = ((_e29 * f32(this_13.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e38 = Tuple_f32_f32_(floor(x_7), floor(y_1));
+    let _e38 = Tuple_f32_f32_(floor(x_9), floor(y_3));
     let left = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
@@ -833,15 +924,15 @@ fn TextureView_sample(this_13: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:59
     let _e67 = TextureView_texel(this_13, (row0_ + _e44));
     let _e69 = TextureView_texel(this_13, (row0_ + _e50));
-    let _e70 = (x_7 - left);
+    let _e70 = (x_9 - left);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
     let _e78 = TextureView_texel(this_13, (row1_ + _e44));
     let _e80 = TextureView_texel(this_13, (row1_ + _e50));
-    let _e81 = (x_7 - left);
+    let _e81 = (x_9 - left);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e88 = (y_1 - top);
+    let _e88 = (y_3 - top);
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
@@ -873,7 +964,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, textur
 // glimt_render_gpu/src/kernels/material.rs:280
 fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
     var alpha: f32;
-    var chosen_6: f32;
+    var chosen_5: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:281
     let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
@@ -899,21 +990,21 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
     // glimt_render_gpu/src/kernels/material.rs:290
     let _e31 = alpha;
     if (_e31 >= _e23) {
-        chosen_6 = 1f;
+        chosen_5 = 1f;
     } else {
-        chosen_6 = 0f;
+        chosen_5 = 0f;
     }
-    let _e35 = chosen_6;
+    let _e35 = chosen_5;
     return _e35;
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:14
-fn alpha_at(triangle_2: Triangle, u_1: f32, v_2: f32) -> f32 {
+fn alpha_at(triangle_3: Triangle, u_1: f32, v_2: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/opacity.rs:15
-    let _e6 = Attributes_at(triangle_2.attributes, u_1, v_2);
+    let _e6 = Attributes_at(triangle_3.attributes, u_1, v_2);
     // glimt_render_gpu/src/kernels/opacity.rs:16
-    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    let _e11 = MaterialView_new((triangle_3.material & 2147483647u));
     // glimt_render_gpu/src/kernels/opacity.rs:17
     let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
     return _e18;
@@ -936,375 +1027,362 @@ fn passes(key_1: u32, index_3: u32, alpha_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_4: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
+fn is_passed(index_4: u32, triangle_4: Triangle, ray_6: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
-    let _e5 = barycentrics(triangle_3, ray_5);
+    let _e5 = barycentrics(triangle_4, ray_6);
     // glimt_render_gpu/src/kernels/opacity.rs:35
-    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    let _e9 = alpha_at(triangle_4, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_5.key, index_4, _e9);
+    let _e12 = passes(ray_6.key, index_4, _e9);
     return _e12;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:45
+// glimt_render_gpu/src/kernels/triangle.rs:85
 fn Triangle_is_catcher(this_14: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:46
+    // glimt_render_gpu/src/kernels/triangle.rs:86
     return ((this_14.object & 2147483648u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_15: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:71
+fn Triangle_b(this_15: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_15.v1_ - this_15.v0_), (this_15.v2_ - this_15.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    return vec3<f32>(this_15.x.y, this_15.y.y, this_15.z.y);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_16: Triangle) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_a(this_16: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_16.v0_), abs(this_16.v1_)), abs(this_16.v2_));
-    // glimt_render_gpu/src/kernels/triangle.rs:68
-    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return vec3<f32>(this_16.x.x, this_16.y.x, this_16.z.x);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_17: Triangle, ray_6: Ray, t: f32) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:78
+fn Triangle_c(this_17: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_17);
-    // glimt_render_gpu/src/kernels/triangle.rs:76
-    let across = abs(dot(_e5, ray_6.direction));
-    // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_17);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_6.direction, ray_6.direction)))));
-    // glimt_render_gpu/src/kernels/triangle.rs:82
+    // glimt_render_gpu/src/kernels/triangle.rs:79
+    return vec3<f32>(this_17.x.z, this_17.y.z, this_17.z.z);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:140
+fn Triangle_area_normal(this_18: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:141
+    let _e3 = Triangle_b(this_18);
+    let _e4 = Triangle_a(this_18);
+    let _e6 = Triangle_c(this_18);
+    let _e7 = Triangle_a(this_18);
+    return cross((_e3 - _e4), (_e6 - _e7));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:106
+fn Triangle_ray_offset(this_19: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:107
+    let extent = max(max(abs(this_19.x), abs(this_19.y)), abs(this_19.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:108
+    return (0.0000038146973f * max(max(max(extent.x, extent.y), extent.z), extent.w));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:114
+fn Triangle_setback(this_20: Triangle, ray_7: Ray, t: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:115
+    let _e5 = Triangle_area_normal(this_20);
+    // glimt_render_gpu/src/kernels/triangle.rs:116
+    let across = abs(dot(_e5, ray_7.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:117
+    let _e12 = Triangle_ray_offset(this_20);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_7.direction, ray_7.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:122
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_5: u32, triangle_4: Triangle, ray_7: Ray, t_1: f32, no_catcher: bool) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:214
+fn held(index_5: u32, triangle_5: Triangle, ray_8: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:195
-    let _e7 = Triangle_is_see_through(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:222
+    let _e7 = Triangle_is_see_through(triangle_5);
     both = _e7;
     if _e7 {
-        let _e9 = is_passed(index_5, triangle_4, ray_7);
+        let _e9 = is_passed(index_5, triangle_5, ray_8);
         both = _e9;
     }
     let _e10 = both;
     if _e10 {
-        // glimt_render_gpu/src/kernels/bvh.rs:196
+        // glimt_render_gpu/src/kernels/bvh.rs:223
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:198
-    let _e14 = Triangle_is_catcher(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:225
+    let _e14 = Triangle_is_catcher(triangle_5);
     if !(_e14) {
-        // glimt_render_gpu/src/kernels/bvh.rs:199
+        // glimt_render_gpu/src/kernels/bvh.rs:226
         return t_1;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:201
+    // glimt_render_gpu/src/kernels/bvh.rs:228
     if no_catcher {
-        // glimt_render_gpu/src/kernels/bvh.rs:202
+        // glimt_render_gpu/src/kernels/bvh.rs:229
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_7, t_1);
+    // glimt_render_gpu/src/kernels/bvh.rs:231
+    let _e21 = Triangle_setback(triangle_5, ray_8, t_1);
     return (t_1 + _e21);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:160
-fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn visit_leaf(first_2: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter: u32;
     var t_2: f32;
     var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:169
+    // glimt_render_gpu/src/kernels/bvh.rs:196
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:170
-    counter = leaf.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:197
+    let _e12 = scene_triangles[first_2].run;
+    counter = first_2;
     loop {
         let i = counter;
-        if (i >= (leaf.first + leaf.count)) {
+        if (i >= (first_2 + _e12)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:171
-        let _e19 = scene_triangles[i];
-        let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_8, _e20);
-        t_2 = _e21;
-        // glimt_render_gpu/src/kernels/bvh.rs:173
-        let _e24 = t_2;
-        let _e25 = (*reach);
-        let _e26 = (_e24 < _e25);
-        both_1 = _e26;
-        if _e26 {
-            let _e31 = scene_triangles[i].object;
-            both_1 = (_e31 >= 1073741824u);
+        // glimt_render_gpu/src/kernels/bvh.rs:198
+        let _e20 = scene_triangles[i];
+        let _e21 = (*reach_1);
+        let _e22 = intersect(_e20, ray_9, _e21);
+        t_2 = _e22;
+        // glimt_render_gpu/src/kernels/bvh.rs:200
+        let _e25 = t_2;
+        let _e26 = (*reach_1);
+        let _e27 = (_e25 < _e26);
+        both_1 = _e27;
+        if _e27 {
+            let _e32 = scene_triangles[i].object;
+            both_1 = (_e32 >= 1073741824u);
         }
-        let _e34 = both_1;
-        if _e34 {
-            // glimt_render_gpu/src/kernels/bvh.rs:174
-            let _e38 = scene_triangles[i];
-            let _e39 = t_2;
-            let _e40 = held(i, _e38, ray_8, _e39, no_catcher_1);
-            t_2 = _e40;
+        let _e35 = both_1;
+        if _e35 {
+            // glimt_render_gpu/src/kernels/bvh.rs:201
+            let _e39 = scene_triangles[i];
+            let _e40 = t_2;
+            let _e41 = held(i, _e39, ray_9, _e40, no_catcher_1);
+            t_2 = _e41;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:176
-        let _e42 = t_2;
-        let _e43 = (*reach);
-        if (_e42 < _e43) {
-            // glimt_render_gpu/src/kernels/bvh.rs:177
-            let _e46 = t_2;
-            (*reach) = _e46;
-            // glimt_render_gpu/src/kernels/bvh.rs:178
+        // glimt_render_gpu/src/kernels/bvh.rs:203
+        let _e43 = t_2;
+        let _e44 = (*reach_1);
+        if (_e43 < _e44) {
+            // glimt_render_gpu/src/kernels/bvh.rs:204
+            let _e47 = t_2;
+            (*reach_1) = _e47;
+            // glimt_render_gpu/src/kernels/bvh.rs:205
             nearest = i;
         }
         continuing {
-            let _e48 = counter;
-            counter = (_e48 + 1u);
+            let _e49 = counter;
+            counter = (_e49 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:181
-    let _e52 = nearest;
-    return _e52;
+    // glimt_render_gpu/src/kernels/bvh.rs:208
+    let _e53 = nearest;
+    return _e53;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:91
-fn traverse(ray_9: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
-    var either: bool;
+// glimt_render_gpu/src/kernels/bvh.rs:125
+fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var best_1: u32;
     var stack: array<u32, 64>;
     var height: u32;
-    var pair: u32;
-    var near: BvhNode;
-    var far: BvhNode;
-    var t_near: f32;
-    var t_far: f32;
-    var into_near: bool;
-    var into_far: bool;
+    var at: u32;
+    var next: u32;
+    var node_2: BvhNode;
+    var met: Met;
+    var distance_: f32;
+    var counter_1: u32;
+    var waiting: u32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:99
-    let _e8 = (arrayLength((&scene_nodes)) == 0u);
-    either = _e8;
-    if _e8 {
-    } else {
-        let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_9);
-        let _e15 = (*reach_1);
-        either = (_e14 >= _e15);
-    }
-    let _e17 = either;
-    if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:100
+    // glimt_render_gpu/src/kernels/bvh.rs:133
+    if (arrayLength((&scene_nodes)) == 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:134
         return 4294967295u;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:102
-    let root = scene_nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:103
-    if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:104
-        let _e31 = visit_leaf(root, ray_9, reach_1, 4294967295u, any_);
-        return _e31;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:106
+    // glimt_render_gpu/src/kernels/bvh.rs:136
     best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:107
+    // glimt_render_gpu/src/kernels/bvh.rs:137
     stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:108
+    // glimt_render_gpu/src/kernels/bvh.rs:138
     height = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:109
-    pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:110
+    // glimt_render_gpu/src/kernels/bvh.rs:139
+    at = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:140
     loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:111
-        let _e47 = pair;
-        let _e50 = scene_nodes[_e47];
-        near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:112
-        let _e53 = pair;
-        let _e58 = scene_nodes[(_e53 + 1u)];
-        far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:113
-        let _e61 = near;
-        let _e62 = box_distance(_e61, ray_9);
-        t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:114
-        let _e65 = far;
-        let _e66 = box_distance(_e65, ray_9);
-        t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:116
-        let _e69 = t_near;
-        let _e70 = t_far;
-        if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:117
-            let node_1 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:118
-            let _e75 = far;
-            near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:119
-            far = node_1;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
-            let t_7 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:121
-            let _e80 = t_far;
-            t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:122
-            t_far = t_7;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:124
-        let _e83 = t_near;
-        let _e84 = (*reach_1);
-        into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:125
-        let _e88 = into_near;
-        let _e90 = near.count;
-        if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
-            let _e95 = near;
-            let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_9, reach_1, _e96, any_);
-            best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
-            let _e99 = best_1;
-            if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
-                let _e104 = best_1;
-                return _e104;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:130
-            into_near = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:132
-        let _e108 = t_far;
-        let _e109 = (*reach_1);
-        into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:133
-        let _e113 = into_far;
-        let _e115 = far.count;
-        if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:134
-            let _e120 = far;
-            let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_9, reach_1, _e121, any_);
-            best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:135
-            let _e124 = best_1;
-            if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:136
-                let _e129 = best_1;
-                return _e129;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:138
-            into_far = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:140
-        let _e133 = into_near;
-        if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:141
-            let _e136 = near.first;
-            pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:142
-            let _e138 = into_far;
-            if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:143
-                let _e141 = far.first;
-                let _e142 = height;
-                stack[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:144
-                let _e146 = height;
-                height = (_e146 + 1u);
-            }
-        } else {
-            let _e148 = into_far;
-            if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:147
-                let _e151 = far.first;
-                pair = _e151;
-            } else {
-                let _e152 = height;
-                if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:149
-                    let _e157 = height;
-                    height = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:150
-                    let _e160 = height;
-                    let _e162 = stack[_e160];
-                    pair = _e162;
-                } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:142
+        next = 0u;
+        // glimt_render_gpu/src/kernels/bvh.rs:143
+        let _e29 = at;
+        if (_e29 < 2147483648u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:144
+            let _e33 = at;
+            let _e36 = scene_nodes[_e33];
+            node_2 = _e36;
+            // glimt_render_gpu/src/kernels/bvh.rs:145
+            let _e39 = node_2;
+            let _e40 = (*reach_2);
+            let _e41 = meet(_e39, ray_10, _e40);
+            met = _e41;
+            // glimt_render_gpu/src/kernels/bvh.rs:146
+            distance_ = 0x1.fffffep+127f;
+            // glimt_render_gpu/src/kernels/bvh.rs:148
+            counter_1 = 0u;
+            loop {
+                let i_1 = counter_1;
+                if (i_1 >= 4u) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/bvh.rs:149
+                let child = node_2.children[i_1];
+                // glimt_render_gpu/src/kernels/bvh.rs:150
+                let _e58 = met.children;
+                if (((_e58 >> (i_1 & 31u)) & 1u) != 0u) {
                     // glimt_render_gpu/src/kernels/bvh.rs:152
-                    let _e164 = best_1;
-                    return _e164;
+                    let _e67 = next;
+                    waiting = _e67;
+                    // glimt_render_gpu/src/kernels/bvh.rs:153
+                    if any_ {
+                        // glimt_render_gpu/src/kernels/bvh.rs:154
+                        next = child;
+                    } else {
+                        let _e73 = met.distances[i_1];
+                        let _e74 = distance_;
+                        if (_e73 < _e74) {
+                            // glimt_render_gpu/src/kernels/bvh.rs:156
+                            let _e79 = met.distances[i_1];
+                            distance_ = _e79;
+                            // glimt_render_gpu/src/kernels/bvh.rs:157
+                            next = child;
+                        } else {
+                            // glimt_render_gpu/src/kernels/bvh.rs:159
+                            waiting = child;
+                        }
+                    }
+                    // glimt_render_gpu/src/kernels/bvh.rs:161
+                    let _e83 = waiting;
+                    if (_e83 > 0u) {
+                        // glimt_render_gpu/src/kernels/bvh.rs:162
+                        let _e87 = waiting;
+                        let _e88 = height;
+                        stack[_e88] = _e87;
+                        // glimt_render_gpu/src/kernels/bvh.rs:163
+                        let _e92 = height;
+                        height = (_e92 + 1u);
+                    }
+                }
+                continuing {
+                    let _e94 = counter_1;
+                    counter_1 = (_e94 + 1u);
                 }
             }
+        } else {
+            // glimt_render_gpu/src/kernels/bvh.rs:168
+            let _e98 = at;
+            let _e101 = best_1;
+            let _e102 = visit_leaf((_e98 - 2147483648u), ray_10, reach_2, _e101, any_);
+            best_1 = _e102;
+            // glimt_render_gpu/src/kernels/bvh.rs:169
+            let _e104 = best_1;
+            if (any_ && (_e104 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:170
+                let _e109 = best_1;
+                return _e109;
+            }
         }
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e111 = next;
+        if (_e111 == 0u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e115 = height;
+            if (_e115 == 0u) {
+                // glimt_render_gpu/src/kernels/bvh.rs:175
+                let _e119 = best_1;
+                return _e119;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e122 = height;
+            height = (_e122 - 1u);
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            let _e125 = height;
+            let _e127 = stack[_e125];
+            next = _e127;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:180
+        let _e129 = next;
+        at = _e129;
     }
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:73
-fn any_hit(ray_10: Ray, t_max_1: f32) -> bool {
+// glimt_render_gpu/src/kernels/bvh.rs:108
+fn any_hit(ray_11: Ray, t_max_1: f32) -> bool {
     var t_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:80
+    // glimt_render_gpu/src/kernels/bvh.rs:115
     t_3 = t_max_1;
-    // glimt_render_gpu/src/kernels/bvh.rs:81
-    let _e7 = traverse(ray_10, (&t_3), true);
+    // glimt_render_gpu/src/kernels/bvh.rs:116
+    let _e7 = traverse(ray_11, (&t_3), true);
     return (_e7 != 4294967295u);
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:136
-fn Scene_is_lit(point_2: ShadingPoint, direction_6: vec3<f32>, key_2: u32) -> bool {
+fn Scene_is_lit(point_2: ShadingPoint, direction_5: vec3<f32>, key_2: u32) -> bool {
 
     // glimt_render_gpu/src/kernels/scene.rs:137
-    let _e6 = Ray_keyed(point_2.origin, direction_6, key_2);
+    let _e6 = Ray_keyed(point_2.origin, direction_5, key_2);
     // glimt_render_gpu/src/kernels/scene.rs:138
     let _e9 = any_hit(_e6, 0x1.fffffep+127f);
     return !(_e9);
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:98
-fn LightSample_traced(this_18: LightSample, point_3: ShadingPoint, key_3: u32) -> Reflected {
-    var chosen_7: Reflected;
+fn LightSample_traced(this_21: LightSample, point_3: ShadingPoint, key_3: u32) -> Reflected {
+    var chosen_6: Reflected;
 
     // glimt_render_gpu/src/kernels/estimator.rs:99
-    if !((max(max(this_18.contribution.x, this_18.contribution.y), this_18.contribution.z) > 0f)) {
+    if !((max(max(this_21.contribution.x, this_21.contribution.y), this_21.contribution.z) > 0f)) {
         // glimt_render_gpu/src/kernels/estimator.rs:100
         return Reflected(vec3(0f), vec3(0f));
     }
     // glimt_render_gpu/src/kernels/estimator.rs:102
-    let _e23 = Scene_is_lit(point_3, this_18.direction, key_3);
+    let _e23 = Scene_is_lit(point_3, this_21.direction, key_3);
     if _e23 {
         // glimt_render_gpu/src/kernels/estimator.rs:103
-        chosen_7 = Reflected(this_18.contribution, vec3(0f));
+        chosen_6 = Reflected(this_21.contribution, vec3(0f));
     } else {
         // glimt_render_gpu/src/kernels/estimator.rs:108
-        chosen_7 = Reflected(vec3(0f), this_18.contribution);
+        chosen_6 = Reflected(vec3(0f), this_21.contribution);
     }
-    let _e34 = chosen_7;
+    let _e34 = chosen_6;
     return _e34;
 }
 
 // glimt_render_gpu/src/kernels/estimator.rs:37
-fn Reflected_gather(this_19: ptr<function, Reflected>, light: Reflected) {
+fn Reflected_gather(this_22: ptr<function, Reflected>, light: Reflected) {
 
     // glimt_render_gpu/src/kernels/estimator.rs:38
-    let _e6 = (*this_19).lit;
-    (*this_19).lit = (_e6 + light.lit);
+    let _e6 = (*this_22).lit;
+    (*this_22).lit = (_e6 + light.lit);
     // glimt_render_gpu/src/kernels/estimator.rs:39
-    let _e11 = (*this_19).blocked;
-    (*this_19).blocked = (_e11 + light.blocked);
+    let _e11 = (*this_22).blocked;
+    (*this_22).blocked = (_e11 + light.blocked);
     return;
 }
 
 // glimt_render_gpu/src/kernels/smc_gather.rs:18
-fn estimate(seen: SmcPoint, log_normaliser: f32, floor_: f32, key_4: u32, env_size: vec2<u32>, env_rotation: vec2<f32>, particles_start: u32, particles_len: u32) -> Reflected {
+fn estimate(seen_1: SmcPoint, log_normaliser: f32, floor_: f32, key_4: u32, env_size: vec2<u32>, env_rotation: vec2<f32>, particles_start: u32, particles_len: u32) -> Reflected {
     var sum: Reflected;
-    var counter_1: u32;
+    var counter_2: u32;
 
     // glimt_render_gpu/src/kernels/smc_gather.rs:27
     sum = Reflected(vec3(0f), vec3(0f));
@@ -1316,43 +1394,43 @@ fn estimate(seen: SmcPoint, log_normaliser: f32, floor_: f32, key_4: u32, env_si
         return _e19;
     }
     // glimt_render_gpu/src/kernels/smc_gather.rs:31
-    let _e21 = SmcPoint_shading_point(seen);
+    let _e21 = SmcPoint_shading_point(seen_1);
     // glimt_render_gpu/src/kernels/smc_gather.rs:32
     let _e23 = LightLobe_of_point(_e21);
     // glimt_render_gpu/src/kernels/smc_gather.rs:33
-    counter_1 = 0u;
+    counter_2 = 0u;
     loop {
-        let i_1 = counter_1;
-        if (i_1 >= particles_len) {
+        let i_2 = counter_2;
+        if (i_2 >= particles_len) {
             break;
         }
         // glimt_render_gpu/src/kernels/smc_gather.rs:34
-        let particle = particles[(particles_start + i_1)];
+        let particle = particles[(particles_start + i_2)];
         // glimt_render_gpu/src/kernels/smc_gather.rs:35
         let _e36 = is_log_zero(particle.log_weight);
         if !(_e36) {
             // glimt_render_gpu/src/kernels/smc_gather.rs:36
-            let direction_7 = particle.state;
+            let direction_6 = particle.state;
             // glimt_render_gpu/src/kernels/smc_gather.rs:37
-            let _e41 = Environment_texel(env_size, env_rotation, direction_7);
+            let _e41 = Environment_texel(env_size, env_rotation, direction_6);
             let _e42 = Environment_radiance(env_size, env_rotation, _e41);
             // glimt_render_gpu/src/kernels/smc_gather.rs:38
             let _e44 = luminance(_e42);
-            let _e46 = LightLobe_value(_e23, direction_7);
+            let _e46 = LightLobe_value(_e23, direction_6);
             let target_ = ((_e44 + floor_) * _e46);
             // glimt_render_gpu/src/kernels/smc_gather.rs:39
             let density_1 = (target_ * exp(-((log_normaliser + particle.log_weight))));
             // glimt_render_gpu/src/kernels/smc_gather.rs:40
-            let _e56 = ShadingFrame_to_local(_e21.frame, direction_7);
+            let _e56 = ShadingFrame_to_local(_e21.frame, direction_6);
             // glimt_render_gpu/src/kernels/smc_gather.rs:41
-            let _e58 = LightSample_new(_e21, direction_7, _e56, _e42, density_1);
+            let _e58 = LightSample_new(_e21, direction_6, _e56, _e42, density_1);
             // glimt_render_gpu/src/kernels/smc_gather.rs:42
-            let _e61 = LightSample_traced(_e58, _e21, (key_4 + i_1));
+            let _e61 = LightSample_traced(_e58, _e21, (key_4 + i_2));
             Reflected_gather((&sum), _e61);
         }
         continuing {
-            let _e62 = counter_1;
-            counter_1 = (_e62 + 1u);
+            let _e62 = counter_2;
+            counter_2 = (_e62 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/smc_gather.rs:45
@@ -1390,11 +1468,11 @@ fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> Owen
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:136
-fn PixelPattern_sobol_point(this_20: PixelPattern, purpose_2: u32, index_6: u32) -> OwenSobol {
+fn PixelPattern_sobol_point(this_23: PixelPattern, purpose_2: u32, index_6: u32) -> OwenSobol {
 
     // glimt_render_gpu/src/kernels/pattern.rs:137
-    let _e6 = hash2_(this_20.seed, purpose_2);
-    let _e9 = OwenSobol_new(_e6, this_20.frame, this_20.pixel, index_6);
+    let _e6 = hash2_(this_23.seed, purpose_2);
+    let _e9 = OwenSobol_new(_e6, this_23.frame, this_23.pixel, index_6);
     return _e9;
 }
 
@@ -1551,7 +1629,7 @@ fn recurrence_3_(index_10: u32) -> u32 {
 
 // glimt_sampling/src/sobol.rs:43
 fn sobol_reversed(index_11: u32, dimension: u32) -> u32 {
-    var chosen_8: u32;
+    var chosen_7: u32;
 
     // glimt_sampling/src/sobol.rs:44
     let index_15 = (index_11 & 65535u);
@@ -1559,52 +1637,52 @@ fn sobol_reversed(index_11: u32, dimension: u32) -> u32 {
     let _e8 = (dimension & 3u);
     if (_e8 == 0u) {
         // glimt_sampling/src/sobol.rs:47
-        chosen_8 = index_15;
+        chosen_7 = index_15;
     } else {
         if (_e8 == 1u) {
             // glimt_sampling/src/sobol.rs:48
             let _e16 = pascal(index_15);
-            chosen_8 = _e16;
+            chosen_7 = _e16;
         } else {
             if (_e8 == 2u) {
                 // glimt_sampling/src/sobol.rs:49
                 let _e20 = recurrence_2_(index_15);
-                chosen_8 = _e20;
+                chosen_7 = _e20;
             } else {
                 // glimt_sampling/src/sobol.rs:50
                 let _e22 = recurrence_3_(index_15);
-                chosen_8 = _e22;
+                chosen_7 = _e22;
             }
         }
     }
-    let _e23 = chosen_8;
+    let _e23 = chosen_7;
     return _e23;
 }
 
 // glimt_sampling/src/sobol.rs:109
 fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
-    var chosen_9: u32;
+    var chosen_8: u32;
 
     // glimt_sampling/src/sobol.rs:110
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
         // glimt_sampling/src/sobol.rs:111
-        chosen_9 = 2435803578u;
+        chosen_8 = 2435803578u;
     } else {
         if (_e6 == 1u) {
             // glimt_sampling/src/sobol.rs:112
-            chosen_9 = 391059627u;
+            chosen_8 = 391059627u;
         } else {
             if (_e6 == 2u) {
                 // glimt_sampling/src/sobol.rs:113
-                chosen_9 = 1763603146u;
+                chosen_8 = 1763603146u;
             } else {
                 // glimt_sampling/src/sobol.rs:114
-                chosen_9 = 3020734904u;
+                chosen_8 = 3020734904u;
             }
         }
     }
-    let salt = chosen_9;
+    let salt = chosen_8;
     // glimt_sampling/src/sobol.rs:117
     let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
@@ -1613,18 +1691,18 @@ fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
 }
 
 // glimt_sampling/src/sobol.rs:190
-fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_24: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:191
-    let _e4 = (*this_21).dimension;
+    let _e4 = (*this_24).dimension;
     let dimension_2 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:192
-    (*this_21).dimension = (dimension_2 + 2u);
+    (*this_24).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
-    let _e15 = (*this_21).seed;
+    let _e15 = (*this_24).seed;
     let _e18 = hash2_(_e15, (dimension_2 >> 2u));
     // glimt_sampling/src/sobol.rs:194
-    let _e21 = (*this_21).index;
+    let _e21 = (*this_24).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:195
     let _e24 = sobol_reversed(_e22, dimension_2);
@@ -1745,39 +1823,39 @@ fn Xoshiro128PlusPlus_stream(seed_3: u32, frame_1: u32, pixel_2: u32) -> Xoshiro
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:141
-fn PixelPattern_generator(this_22: PixelPattern, purpose_3: u32, index_12: u32) -> Xoshiro128PlusPlus {
+fn PixelPattern_generator(this_25: PixelPattern, purpose_3: u32, index_12: u32) -> Xoshiro128PlusPlus {
 
     // glimt_render_gpu/src/kernels/pattern.rs:142
-    let _e6 = hash3_(this_22.seed, purpose_3, index_12);
-    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_22.frame, this_22.pixel);
+    let _e6 = hash3_(this_25.seed, purpose_3, index_12);
+    let _e9 = Xoshiro128PlusPlus_stream(_e6, this_25.frame, this_25.pixel);
     return _e9;
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_23: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_26: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_23).state;
+    let s = (*this_26).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
     // glimt_sampling/src/xoshiro.rs:59
-    let z_1 = (s.z ^ s.x);
+    let z_3 = (s.z ^ s.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_2 = (s.w ^ s.y);
+    let w_3 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_23).state = vec4<u32>((s.x ^ w_2), (s.y ^ z_1), (z_1 ^ (s.y << 9u)), ((w_2 << 11u) | (w_2 >> ((0u - 11u) & 31u))));
+    (*this_26).state = vec4<u32>((s.x ^ w_3), (s.y ^ z_3), (z_3 ^ (s.y << 9u)), ((w_3 << 11u) | (w_3 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_24: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_27: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_24);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_27);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_24);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_27);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
@@ -1786,7 +1864,7 @@ fn Xoshiro128PlusPlus_next_uvec2_(this_24: ptr<function, Xoshiro128PlusPlus>) ->
 fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
     var x_6: u32;
     var round_key: u32;
-    var counter_2: i32;
+    var counter_3: i32;
 
     // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
@@ -1804,9 +1882,9 @@ fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
         // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key_5;
         // glimt_render_gpu/src/kernels/pattern.rs:230
-        counter_2 = 0i;
+        counter_3 = 0i;
         loop {
-            let _e31 = counter_2;
+            let _e31 = counter_3;
             if (_e31 >= 3i) {
                 break;
             }
@@ -1824,8 +1902,8 @@ fn permute(index_13: u32, length_: u32, key_5: u32) -> u32 {
             let _e56 = x_6;
             x_6 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter_2;
-                counter_2 = (_e58 + 1i);
+                let _e58 = counter_3;
+                counter_3 = (_e58 + 1i);
             }
         }
         // glimt_render_gpu/src/kernels/pattern.rs:236
@@ -1871,32 +1949,32 @@ fn jittered_pair(index_14: u32, count_1: u32, jitter_1: vec2<u32>, key_6: u32) -
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_25: PixelPattern, purpose_4: u32, sample: u32, samples: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_28: PixelPattern, purpose_4: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed: OwenSobol;
     var borrowed_1: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_16 = ((this_25.ray * samples) + sample);
+    let index_16 = ((this_28.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
-    if (this_25.kind == 0u) {
+    if (this_28.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_25, purpose_4, index_16);
+        let _e14 = PixelPattern_sobol_point(this_28, purpose_4, index_16);
         borrowed = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_25, purpose_4, index_16);
+    let _e18 = PixelPattern_generator(this_28, purpose_4, index_16);
     borrowed_1 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_1));
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    if (this_25.kind == 1u) {
+    if (this_28.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_25, purpose_4);
-    let _e30 = jittered_pair(index_16, (this_25.rays * samples), _e20, _e29);
+    let _e29 = PixelPattern_key(this_28, purpose_4);
+    let _e30 = jittered_pair(index_16, (this_28.rays * samples), _e20, _e29);
     return _e30;
 }
 
@@ -1910,50 +1988,50 @@ fn unit_vec2_(u_3: vec2<u32>) -> vec2<f32> {
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_26: CameraView, p: vec2<f32>, size_5: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_29: CameraView, p: vec2<f32>, size_5: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
-    let x_8 = (((2f * p.x) / f32(size_5.x)) - 1f);
+    let x_10 = (((2f * p.x) / f32(size_5.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
-    let y_2 = (((2f * p.y) / f32(size_5.y)) - 1f);
+    let y_4 = (((2f * p.y) / f32(size_5.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_26.forward + (this_26.right * x_8)) - (this_26.up * y_2)));
+    return normalize(((this_29.forward + (this_29.right * x_10)) - (this_29.up * y_4)));
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:161
-fn FrameParams_direction(this_27: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
+fn FrameParams_direction(this_30: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/frame.rs:162
-    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_27.width), (pixel_3 / this_27.width)));
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_30.width), (pixel_3 / this_30.width)));
     // glimt_render_gpu/src/kernels/frame.rs:163
-    let view = CameraView(this_27.eye, this_27.forward, this_27.right, this_27.up);
+    let view = CameraView(this_30.eye, this_30.forward, this_30.right, this_30.up);
     // glimt_render_gpu/src/kernels/frame.rs:169
-    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_27.width, this_27.height));
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_30.width, this_30.height));
     return _e22;
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:144
-fn FrameParams_camera_ray(this_28: FrameParams, pattern: PixelPattern) -> Ray {
-    var chosen_10: vec2<f32>;
+fn FrameParams_camera_ray(this_31: FrameParams, pattern: PixelPattern) -> Ray {
+    var chosen_9: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
-    let film = PixelPattern(pattern.kind, pattern.seed, this_28.film_frame, pattern.pixel, pattern.ray, pattern.rays);
+    let film = PixelPattern(pattern.kind, pattern.seed, this_31.film_frame, pattern.pixel, pattern.ray, pattern.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
-    if (this_28.filter_ == 1u) {
+    if (this_31.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
-        chosen_10 = vec2(0.5f);
+        chosen_9 = vec2(0.5f);
     } else {
         // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
-        chosen_10 = _e24;
+        chosen_9 = _e24;
     }
-    let place_2 = chosen_10;
+    let place_2 = chosen_9;
     // glimt_render_gpu/src/kernels/frame.rs:154
-    let _e28 = FrameParams_direction(this_28, pattern.pixel, place_2);
+    let _e28 = FrameParams_direction(this_31, pattern.pixel, place_2);
     // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_28.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_31.eye, _e28, _e32);
     return _e33;
 }
 
@@ -1972,35 +2050,35 @@ fn LayerSample_of_background(_ray: Ray, _frame: FrameParams, _map_size: vec2<u32
 }
 
 // glimt_render_gpu/src/kernels/smc_gather.rs:51
-fn gather_smc(ray_11: u32, frame_2: FrameParams, floor_1: f32, particles_per_ray: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LayerSample {
+fn gather_smc(ray_12: u32, frame_2: FrameParams, floor_1: f32, particles_per_ray: u32, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>) -> LayerSample {
     var light_3: Reflected;
 
     // glimt_render_gpu/src/kernels/smc_gather.rs:62
-    let seen_1 = points[ray_11];
+    let seen_2 = points[ray_12];
     // glimt_render_gpu/src/kernels/smc_gather.rs:63
-    let _e12 = SmcPoint_is_hit(seen_1);
+    let _e12 = SmcPoint_is_hit(seen_2);
     if _e12 {
         // glimt_render_gpu/src/kernels/smc_gather.rs:64
-        let first_3 = (ray_11 * particles_per_ray);
+        let first_4 = (ray_12 * particles_per_ray);
         // glimt_render_gpu/src/kernels/smc_gather.rs:65
         // glimt_render_gpu/src/kernels/smc_gather.rs:66
-        let log_normaliser_1 = states[ray_11].log_normaliser;
+        let log_normaliser_1 = states[ray_12].log_normaliser;
         // glimt_render_gpu/src/kernels/smc_gather.rs:67
-        let _e24 = FrameParams_pattern_of(frame_2, ray_11);
+        let _e24 = FrameParams_pattern_of(frame_2, ray_12);
         let _e26 = PixelPattern_ray_key(_e24, 9u);
         // glimt_render_gpu/src/kernels/smc_gather.rs:68
-        let _e28 = estimate(seen_1, log_normaliser_1, floor_1, _e26, env_size_1, env_rotation_1, first_3, ((first_3 + particles_per_ray) - first_3));
+        let _e28 = estimate(seen_2, log_normaliser_1, floor_1, _e26, env_size_1, env_rotation_1, first_4, ((first_4 + particles_per_ray) - first_4));
         light_3 = _e28;
         // glimt_render_gpu/src/kernels/smc_gather.rs:69
         let _e33 = light_3.lit;
-        light_3.lit = (_e33 + seen_1.emission);
+        light_3.lit = (_e33 + seen_2.emission);
         // glimt_render_gpu/src/kernels/smc_gather.rs:70
         let _e36 = light_3;
-        let _e40 = LayerSample_of_surface(_e36, (seen_1.catcher != 0u));
+        let _e40 = LayerSample_of_surface(_e36, (seen_2.catcher != 0u));
         return _e40;
     }
     // glimt_render_gpu/src/kernels/smc_gather.rs:72
-    let _e42 = FrameParams_pattern_of(frame_2, ray_11);
+    let _e42 = FrameParams_pattern_of(frame_2, ray_12);
     let _e43 = FrameParams_camera_ray(frame_2, _e42);
     // glimt_render_gpu/src/kernels/smc_gather.rs:73
     let _e45 = Environment_map(env_size_1, env_rotation_1);

@@ -1,19 +1,23 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
-    min: vec3<f32>,
-    count: u32,
-    max: vec3<f32>,
-    first: u32,
+    min_x: vec4<f32>,
+    min_y: vec4<f32>,
+    min_z: vec4<f32>,
+    max_x: vec4<f32>,
+    max_y: vec4<f32>,
+    max_z: vec4<f32>,
+    children: array<u32, 4>,
 }
 
 struct Triangle {
-    v0_: vec3<f32>,
+    x: vec4<f32>,
+    y: vec4<f32>,
+    z: vec4<f32>,
     material: u32,
-    v1_: vec3<f32>,
     object: u32,
-    v2_: vec3<f32>,
     attributes: u32,
+    run: u32,
 }
 
 struct Corner {
@@ -140,6 +144,36 @@ struct Ray {
     key: u32,
 }
 
+struct Tuple_f32_f32_f32_ {
+    fa: f32,
+    fb: f32,
+    fc: f32,
+}
+
+struct Met {
+    children: u32,
+    distances: array<f32, 4>,
+}
+
+struct Tuple_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+}
+
+struct Tuple_Vec4_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+    fc: vec4<f32>,
+}
+
+struct Seen {
+    a: vec3<f32>,
+    edge_x: vec4<f32>,
+    edge_y: vec4<f32>,
+    edge_z: vec4<f32>,
+    functions: vec4<f32>,
+}
+
 struct Tuple_u32_u32_ {
     fa: u32,
     fb: u32,
@@ -248,11 +282,6 @@ struct CellTerms {
     lobe: vec4<f32>,
     lobe_spread: vec4<f32>,
     cosine_spread: vec4<f32>,
-}
-
-struct Tuple_Vec4_Vec4_ {
-    fa: vec4<f32>,
-    fb: vec4<f32>,
 }
 
 struct QuadCounts {
@@ -1084,98 +1113,155 @@ fn FrameParams_camera_ray(this_13: FrameParams, pattern: PixelPattern) -> Ray {
     return _e33;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:30
-fn box_distance(node: BvhNode, ray_1: Ray) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:53
+fn meet(node: BvhNode, ray_1: Ray, reach: f32) -> Met {
+    var node_1: BvhNode;
+
+    node_1 = node;
+    // glimt_render_gpu/src/kernels/bvh.rs:54
+    let _e12 = Tuple_f32_f32_f32_(ray_1.origin.x, ray_1.origin.y, ray_1.origin.z);
+    let x_12 = _e12.fa;
+    let y_3 = _e12.fb;
+    let z_2 = _e12.fc;
+    // glimt_render_gpu/src/kernels/bvh.rs:55
+    let inverse_1 = ray_1.inverse_direction;
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e20 = node_1.min_x;
+    let to_min_x = ((_e20 - vec4(x_12)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:57
+    let _e27 = node_1.max_x;
+    let to_max_x = ((_e27 - vec4(x_12)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:58
+    let _e34 = node_1.min_y;
+    let to_min_y = ((_e34 - vec4(y_3)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:59
+    let _e41 = node_1.max_y;
+    let to_max_y = ((_e41 - vec4(y_3)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:60
+    let _e48 = node_1.min_z;
+    let to_min_z = ((_e48 - vec4(z_2)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:61
+    let _e55 = node_1.max_z;
+    let to_max_z = ((_e55 - vec4(z_2)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:62
+    let near_x = min(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:63
+    let near_y = min(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:64
+    let near_z = min(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:65
+    let far_x = max(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    let far_y = max(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let far_z = max(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:68
+    let distances = max(max(near_x, near_y), max(near_z, vec4(0f)));
+    // glimt_render_gpu/src/kernels/bvh.rs:69
+    let far = (min(min(far_x, far_y), far_z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:70
+    let room = (min(far, vec4(reach)) - distances);
+    // glimt_render_gpu/src/kernels/bvh.rs:71
+    return Met((15u - dot((bitcast<vec4<u32>>(room) >> vec4(31u)), vec4<u32>(1u, 2u, 4u, 8u))), array<f32, 4>(distances.x, distances.y, distances.z, distances.w));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:163
+fn seen(triangle: Triangle, ray_2: Ray) -> Seen {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:164
+    let x_13 = (triangle.x - vec4(ray_2.origin.x));
+    // glimt_render_gpu/src/kernels/triangle.rs:165
+    let y_4 = (triangle.y - vec4(ray_2.origin.y));
+    // glimt_render_gpu/src/kernels/triangle.rs:166
+    let z_3 = (triangle.z - vec4(ray_2.origin.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:168
+    let _e24 = Tuple_Vec4_Vec4_(x_13.yzxw, x_13.zxyw);
+    let x1_ = _e24.fa;
+    let x2_ = _e24.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:169
+    let _e30 = Tuple_Vec4_Vec4_(y_4.yzxw, y_4.zxyw);
+    let y1_ = _e30.fa;
+    let y2_ = _e30.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:170
+    let _e36 = Tuple_Vec4_Vec4_(z_3.yzxw, z_3.zxyw);
+    let z1_ = _e36.fa;
+    let z2_ = _e36.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:171
+    let _e43 = Tuple_Vec4_Vec4_Vec4_((x1_ - x2_), (y1_ - y2_), (z1_ - z2_));
+    let edge_x = _e43.fa;
+    let edge_y = _e43.fb;
+    let edge_z = _e43.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:172
+    let _e51 = Tuple_Vec4_Vec4_Vec4_((x1_ + x2_), (y1_ + y2_), (z1_ + z2_));
+    let sum_x = _e51.fa;
+    let sum_y = _e51.fb;
+    let sum_z = _e51.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:173
+    let d_1 = ray_2.direction;
+    // glimt_render_gpu/src/kernels/triangle.rs:174
+    let functions = (((((edge_y * sum_z) - (edge_z * sum_y)) * d_1.x) + (((edge_z * sum_x) - (edge_x * sum_z)) * d_1.y)) + (((edge_x * sum_y) - (edge_y * sum_x)) * d_1.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:177
+    return Seen(vec3<f32>(x_13.x, y_4.x, z_3.x), edge_x, edge_y, edge_z, functions);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:191
+fn intersect(triangle_1: Triangle, ray_3: Ray, t_max: f32) -> f32 {
     var chosen_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_min = ((node.min - ray_1.origin) * ray_1.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:32
-    let to_max = ((node.max - ray_1.origin) * ray_1.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:33
-    let _e16 = min(to_min, to_max);
-    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
-    // glimt_render_gpu/src/kernels/bvh.rs:34
-    let _e23 = max(to_min, to_max);
-    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
-    // glimt_render_gpu/src/kernels/bvh.rs:35
-    if ((far_1 >= near_1) && (far_1 >= 0f)) {
-        // glimt_render_gpu/src/kernels/bvh.rs:36
-        chosen_3 = near_1;
+    // glimt_render_gpu/src/kernels/triangle.rs:192
+    let _e5 = seen(triangle_1, ray_3);
+    // glimt_render_gpu/src/kernels/triangle.rs:193
+    if ((min(min(min(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) < 0f) && (max(max(max(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:194
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:196
+    let from_a = vec3<f32>(_e5.edge_x.y, _e5.edge_y.y, _e5.edge_z.y);
+    // glimt_render_gpu/src/kernels/triangle.rs:197
+    let to_a = vec3<f32>(_e5.edge_x.z, _e5.edge_y.z, _e5.edge_z.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:198
+    let normal_6 = cross(from_a, to_a);
+    // glimt_render_gpu/src/kernels/triangle.rs:199
+    let slope = dot(normal_6, ray_3.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:200
+    if (slope == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:201
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:203
+    let t_6 = (dot(_e5.a, normal_6) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:204
+    if ((t_6 > 0f) && (t_6 < t_max)) {
+        chosen_3 = t_6;
     } else {
-        // glimt_render_gpu/src/kernels/bvh.rs:38
         chosen_3 = 0x1.fffffep+127f;
     }
-    let _e40 = chosen_3;
-    return _e40;
+    let _e67 = chosen_3;
+    return _e67;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:111
-fn edge_functions(a_2: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_1: vec3<f32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/triangle.rs:112
-    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_1), dot(cross((c_1 - a_2), (c_1 + a_2)), direction_1), dot(cross((a_2 - b_2), (a_2 + b_2)), direction_1));
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:124
-fn intersect(triangle: Triangle, ray_2: Ray, t_max: f32) -> f32 {
-    var chosen_4: f32;
-
-    // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_4 = (triangle.v0_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:126
-    let b_3 = (triangle.v1_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_2 = (triangle.v2_ - ray_2.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_4, b_3, c_2, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:129
-    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:130
-        return 0x1.fffffep+127f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:132
-    let normal_6 = cross((c_2 - a_4), (a_4 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope = dot(normal_6, ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:134
-    if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:135
-        return 0x1.fffffep+127f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:137
-    let t_6 = (dot(a_4, normal_6) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:138
-    if ((t_6 > 0f) && (t_6 < t_max)) {
-        chosen_4 = t_6;
-    } else {
-        chosen_4 = 0x1.fffffep+127f;
-    }
-    let _e59 = chosen_4;
-    return _e59;
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:59
+// glimt_render_gpu/src/kernels/triangle.rs:99
 fn Triangle_is_see_through(this_14: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:60
+    // glimt_render_gpu/src/kernels/triangle.rs:100
     return ((this_14.object & 1073741824u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:144
-fn barycentrics(triangle_1: Triangle, ray_3: Ray) -> vec2<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:210
+fn barycentrics(triangle_2: Triangle, ray_4: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:145
-    let _e14 = edge_functions((triangle_1.v0_ - ray_3.origin), (triangle_1.v1_ - ray_3.origin), (triangle_1.v2_ - ray_3.origin), ray_3.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum_2 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:152
+    // glimt_render_gpu/src/kernels/triangle.rs:211
+    let _e4 = seen(triangle_2, ray_4);
+    let w_2 = _e4.functions.xyz;
+    // glimt_render_gpu/src/kernels/triangle.rs:212
+    let sum_2 = ((w_2.x + w_2.y) + w_2.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:213
     if (sum_2 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:154
+        // glimt_render_gpu/src/kernels/triangle.rs:215
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_2));
+    // glimt_render_gpu/src/kernels/triangle.rs:217
+    return (vec2<f32>(w_2.y, w_2.z) / vec2(sum_2));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -1205,18 +1291,18 @@ fn Attributes_at(first_1: u32, u_2: f32, v_1: f32) -> Attributes {
     // glimt_render_gpu/src/kernels/material.rs:132
     let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
-    let w_2 = ((1f - u_2) - v_1);
+    let w_3 = ((1f - u_2) - v_1);
     // glimt_render_gpu/src/kernels/material.rs:134
-    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_2)) + (_e15.uv * v_1)), (((_e5.color * w_2) + (_e9.color * u_2)) + (_e15.color * v_1)));
+    return Attributes((((_e5.uv * w_3) + (_e9.uv * u_2)) + (_e15.uv * v_1)), (((_e5.color * w_3) + (_e9.color * u_2)) + (_e15.color * v_1)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
 fn MaterialView_new(index_9: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_6 = (256u + (index_9 * 76u));
+    let first_7 = (256u + (index_9 * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
-    return Returned_MaterialView_new(first_6, ((first_6 + 76u) - first_6));
+    return Returned_MaterialView_new(first_7, ((first_7 + 76u) - first_7));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
@@ -1288,7 +1374,7 @@ fn neighbour(index_10: i32, size_2: u32, mode_1: u32) -> u32 {
 
 // glimt_render_gpu/src/kernels/texture.rs:69
 fn TextureView_texel(this_16: TextureView, index_11: u32) -> vec4<f32> {
-    var chosen_5: vec4<f32>;
+    var chosen_4: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
     let word_8 = scene_surface[(this_16.first + index_11)];
@@ -1297,7 +1383,7 @@ fn TextureView_texel(this_16: TextureView, index_11: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:72
     let g = ((word_8 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word_8 >> 16u) & 255u);
+    let b_2 = ((word_8 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_8 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
@@ -1305,13 +1391,13 @@ fn TextureView_texel(this_16: TextureView, index_11: u32) -> vec4<f32> {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_1];
         let _e42 = scene_surface[g];
-        let _e46 = scene_surface[b_4];
-        chosen_5 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+        let _e46 = scene_surface[b_2];
+        chosen_4 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_5 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
+        chosen_4 = vec4<f32>((f32(r_1) / 255f), (f32(g) / 255f), (f32(b_2) / 255f), alpha_2);
     }
-    let _e60 = chosen_5;
+    let _e60 = chosen_4;
     return _e60;
 }
 
@@ -1324,12 +1410,12 @@ fn TextureView_sample(this_17: TextureView, uv: vec2<f32>) -> vec4<f32> {
     let wrap_v = ((this_17.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_12 = ((_e21 * f32(this_17.width)) - 0.5f);
+    let x_14 = ((_e21 * f32(this_17.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_3 = ((_e29 * f32(this_17.height)) - 0.5f);
+    let y_5 = ((_e29 * f32(this_17.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e38 = Tuple_f32_f32_(floor(x_12), floor(y_3));
+    let _e38 = Tuple_f32_f32_(floor(x_14), floor(y_5));
     let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
@@ -1345,15 +1431,15 @@ fn TextureView_sample(this_17: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:59
     let _e67 = TextureView_texel(this_17, (row0_ + _e44));
     let _e69 = TextureView_texel(this_17, (row0_ + _e50));
-    let _e70 = (x_12 - left_2);
+    let _e70 = (x_14 - left_2);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
     let _e78 = TextureView_texel(this_17, (row1_ + _e44));
     let _e80 = TextureView_texel(this_17, (row1_ + _e50));
-    let _e81 = (x_12 - left_2);
+    let _e81 = (x_14 - left_2);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e88 = (y_3 - top);
+    let _e88 = (y_5 - top);
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
@@ -1385,7 +1471,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_3: u32, textur
 // glimt_render_gpu/src/kernels/material.rs:280
 fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
     var alpha: f32;
-    var chosen_6: f32;
+    var chosen_5: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:281
     let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
@@ -1411,21 +1497,21 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
     // glimt_render_gpu/src/kernels/material.rs:290
     let _e31 = alpha;
     if (_e31 >= _e23) {
-        chosen_6 = 1f;
+        chosen_5 = 1f;
     } else {
-        chosen_6 = 0f;
+        chosen_5 = 0f;
     }
-    let _e35 = chosen_6;
+    let _e35 = chosen_5;
     return _e35;
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:14
-fn alpha_at(triangle_2: Triangle, u_3: f32, v_2: f32) -> f32 {
+fn alpha_at(triangle_3: Triangle, u_3: f32, v_2: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/opacity.rs:15
-    let _e6 = Attributes_at(triangle_2.attributes, u_3, v_2);
+    let _e6 = Attributes_at(triangle_3.attributes, u_3, v_2);
     // glimt_render_gpu/src/kernels/opacity.rs:16
-    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    let _e11 = MaterialView_new((triangle_3.material & 2147483647u));
     // glimt_render_gpu/src/kernels/opacity.rs:17
     let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
     return _e18;
@@ -1441,385 +1527,372 @@ fn passes(key_3: u32, index_12: u32, alpha_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_13: u32, triangle_3: Triangle, ray_4: Ray) -> bool {
+fn is_passed(index_13: u32, triangle_4: Triangle, ray_5: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
-    let _e5 = barycentrics(triangle_3, ray_4);
+    let _e5 = barycentrics(triangle_4, ray_5);
     // glimt_render_gpu/src/kernels/opacity.rs:35
-    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    let _e9 = alpha_at(triangle_4, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_4.key, index_13, _e9);
+    let _e12 = passes(ray_5.key, index_13, _e9);
     return _e12;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:45
+// glimt_render_gpu/src/kernels/triangle.rs:85
 fn Triangle_is_catcher(this_18: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:46
+    // glimt_render_gpu/src/kernels/triangle.rs:86
     return ((this_18.object & 2147483648u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_19: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:71
+fn Triangle_b(this_19: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_19.v1_ - this_19.v0_), (this_19.v2_ - this_19.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    return vec3<f32>(this_19.x.y, this_19.y.y, this_19.z.y);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_20: Triangle) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_a(this_20: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_20.v0_), abs(this_20.v1_)), abs(this_20.v2_));
-    // glimt_render_gpu/src/kernels/triangle.rs:68
-    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return vec3<f32>(this_20.x.x, this_20.y.x, this_20.z.x);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_21: Triangle, ray_5: Ray, t: f32) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:78
+fn Triangle_c(this_21: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_21);
-    // glimt_render_gpu/src/kernels/triangle.rs:76
-    let across = abs(dot(_e5, ray_5.direction));
-    // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_21);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
-    // glimt_render_gpu/src/kernels/triangle.rs:82
+    // glimt_render_gpu/src/kernels/triangle.rs:79
+    return vec3<f32>(this_21.x.z, this_21.y.z, this_21.z.z);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:140
+fn Triangle_area_normal(this_22: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:141
+    let _e3 = Triangle_b(this_22);
+    let _e4 = Triangle_a(this_22);
+    let _e6 = Triangle_c(this_22);
+    let _e7 = Triangle_a(this_22);
+    return cross((_e3 - _e4), (_e6 - _e7));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:106
+fn Triangle_ray_offset(this_23: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:107
+    let extent = max(max(abs(this_23.x), abs(this_23.y)), abs(this_23.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:108
+    return (0.0000038146973f * max(max(max(extent.x, extent.y), extent.z), extent.w));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:114
+fn Triangle_setback(this_24: Triangle, ray_6: Ray, t: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:115
+    let _e5 = Triangle_area_normal(this_24);
+    // glimt_render_gpu/src/kernels/triangle.rs:116
+    let across = abs(dot(_e5, ray_6.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:117
+    let _e12 = Triangle_ray_offset(this_24);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_6.direction, ray_6.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:122
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_14: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:214
+fn held(index_14: u32, triangle_5: Triangle, ray_7: Ray, t_1: f32, no_catcher: bool) -> f32 {
     var both: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:195
-    let _e7 = Triangle_is_see_through(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:222
+    let _e7 = Triangle_is_see_through(triangle_5);
     both = _e7;
     if _e7 {
-        let _e9 = is_passed(index_14, triangle_4, ray_6);
+        let _e9 = is_passed(index_14, triangle_5, ray_7);
         both = _e9;
     }
     let _e10 = both;
     if _e10 {
-        // glimt_render_gpu/src/kernels/bvh.rs:196
+        // glimt_render_gpu/src/kernels/bvh.rs:223
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:198
-    let _e14 = Triangle_is_catcher(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:225
+    let _e14 = Triangle_is_catcher(triangle_5);
     if !(_e14) {
-        // glimt_render_gpu/src/kernels/bvh.rs:199
+        // glimt_render_gpu/src/kernels/bvh.rs:226
         return t_1;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:201
+    // glimt_render_gpu/src/kernels/bvh.rs:228
     if no_catcher {
-        // glimt_render_gpu/src/kernels/bvh.rs:202
+        // glimt_render_gpu/src/kernels/bvh.rs:229
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
+    // glimt_render_gpu/src/kernels/bvh.rs:231
+    let _e21 = Triangle_setback(triangle_5, ray_7, t_1);
     return (t_1 + _e21);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:160
-fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn visit_leaf(first_2: u32, ray_8: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter_1: u32;
     var t_2: f32;
     var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:169
+    // glimt_render_gpu/src/kernels/bvh.rs:196
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:170
-    counter_1 = leaf.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:197
+    let _e12 = scene_triangles[first_2].run;
+    counter_1 = first_2;
     loop {
         let i = counter_1;
-        if (i >= (leaf.first + leaf.count)) {
+        if (i >= (first_2 + _e12)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:171
-        let _e19 = scene_triangles[i];
-        let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_7, _e20);
-        t_2 = _e21;
-        // glimt_render_gpu/src/kernels/bvh.rs:173
-        let _e24 = t_2;
-        let _e25 = (*reach);
-        let _e26 = (_e24 < _e25);
-        both_1 = _e26;
-        if _e26 {
-            let _e31 = scene_triangles[i].object;
-            both_1 = (_e31 >= 1073741824u);
+        // glimt_render_gpu/src/kernels/bvh.rs:198
+        let _e20 = scene_triangles[i];
+        let _e21 = (*reach_1);
+        let _e22 = intersect(_e20, ray_8, _e21);
+        t_2 = _e22;
+        // glimt_render_gpu/src/kernels/bvh.rs:200
+        let _e25 = t_2;
+        let _e26 = (*reach_1);
+        let _e27 = (_e25 < _e26);
+        both_1 = _e27;
+        if _e27 {
+            let _e32 = scene_triangles[i].object;
+            both_1 = (_e32 >= 1073741824u);
         }
-        let _e34 = both_1;
-        if _e34 {
-            // glimt_render_gpu/src/kernels/bvh.rs:174
-            let _e38 = scene_triangles[i];
-            let _e39 = t_2;
-            let _e40 = held(i, _e38, ray_7, _e39, no_catcher_1);
-            t_2 = _e40;
+        let _e35 = both_1;
+        if _e35 {
+            // glimt_render_gpu/src/kernels/bvh.rs:201
+            let _e39 = scene_triangles[i];
+            let _e40 = t_2;
+            let _e41 = held(i, _e39, ray_8, _e40, no_catcher_1);
+            t_2 = _e41;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:176
-        let _e42 = t_2;
-        let _e43 = (*reach);
-        if (_e42 < _e43) {
-            // glimt_render_gpu/src/kernels/bvh.rs:177
-            let _e46 = t_2;
-            (*reach) = _e46;
-            // glimt_render_gpu/src/kernels/bvh.rs:178
+        // glimt_render_gpu/src/kernels/bvh.rs:203
+        let _e43 = t_2;
+        let _e44 = (*reach_1);
+        if (_e43 < _e44) {
+            // glimt_render_gpu/src/kernels/bvh.rs:204
+            let _e47 = t_2;
+            (*reach_1) = _e47;
+            // glimt_render_gpu/src/kernels/bvh.rs:205
             nearest = i;
         }
         continuing {
-            let _e48 = counter_1;
-            counter_1 = (_e48 + 1u);
+            let _e49 = counter_1;
+            counter_1 = (_e49 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:181
-    let _e52 = nearest;
-    return _e52;
+    // glimt_render_gpu/src/kernels/bvh.rs:208
+    let _e53 = nearest;
+    return _e53;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:91
-fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
-    var either: bool;
+// glimt_render_gpu/src/kernels/bvh.rs:125
+fn traverse(ray_9: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var best_1: u32;
     var stack: array<u32, 64>;
     var height: u32;
-    var pair: u32;
-    var near: BvhNode;
-    var far: BvhNode;
-    var t_near: f32;
-    var t_far: f32;
-    var into_near: bool;
-    var into_far: bool;
+    var at: u32;
+    var next: u32;
+    var node_2: BvhNode;
+    var met: Met;
+    var distance_: f32;
+    var counter_2: u32;
+    var waiting: u32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:99
-    let _e8 = (arrayLength((&scene_nodes)) == 0u);
-    either = _e8;
-    if _e8 {
-    } else {
-        let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_8);
-        let _e15 = (*reach_1);
-        either = (_e14 >= _e15);
-    }
-    let _e17 = either;
-    if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:100
+    // glimt_render_gpu/src/kernels/bvh.rs:133
+    if (arrayLength((&scene_nodes)) == 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:134
         return 4294967295u;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:102
-    let root = scene_nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:103
-    if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:104
-        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
-        return _e31;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:106
+    // glimt_render_gpu/src/kernels/bvh.rs:136
     best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:107
+    // glimt_render_gpu/src/kernels/bvh.rs:137
     stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:108
+    // glimt_render_gpu/src/kernels/bvh.rs:138
     height = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:109
-    pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:110
+    // glimt_render_gpu/src/kernels/bvh.rs:139
+    at = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:140
     loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:111
-        let _e47 = pair;
-        let _e50 = scene_nodes[_e47];
-        near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:112
-        let _e53 = pair;
-        let _e58 = scene_nodes[(_e53 + 1u)];
-        far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:113
-        let _e61 = near;
-        let _e62 = box_distance(_e61, ray_8);
-        t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:114
-        let _e65 = far;
-        let _e66 = box_distance(_e65, ray_8);
-        t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:116
-        let _e69 = t_near;
-        let _e70 = t_far;
-        if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:117
-            let node_1 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:118
-            let _e75 = far;
-            near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:119
-            far = node_1;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
-            let t_8 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:121
-            let _e80 = t_far;
-            t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:122
-            t_far = t_8;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:124
-        let _e83 = t_near;
-        let _e84 = (*reach_1);
-        into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:125
-        let _e88 = into_near;
-        let _e90 = near.count;
-        if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
-            let _e95 = near;
-            let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
-            best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
-            let _e99 = best_1;
-            if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
-                let _e104 = best_1;
-                return _e104;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:130
-            into_near = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:132
-        let _e108 = t_far;
-        let _e109 = (*reach_1);
-        into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:133
-        let _e113 = into_far;
-        let _e115 = far.count;
-        if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:134
-            let _e120 = far;
-            let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
-            best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:135
-            let _e124 = best_1;
-            if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:136
-                let _e129 = best_1;
-                return _e129;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:138
-            into_far = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:140
-        let _e133 = into_near;
-        if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:141
-            let _e136 = near.first;
-            pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:142
-            let _e138 = into_far;
-            if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:143
-                let _e141 = far.first;
-                let _e142 = height;
-                stack[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:144
-                let _e146 = height;
-                height = (_e146 + 1u);
-            }
-        } else {
-            let _e148 = into_far;
-            if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:147
-                let _e151 = far.first;
-                pair = _e151;
-            } else {
-                let _e152 = height;
-                if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:149
-                    let _e157 = height;
-                    height = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:150
-                    let _e160 = height;
-                    let _e162 = stack[_e160];
-                    pair = _e162;
-                } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:142
+        next = 0u;
+        // glimt_render_gpu/src/kernels/bvh.rs:143
+        let _e29 = at;
+        if (_e29 < 2147483648u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:144
+            let _e33 = at;
+            let _e36 = scene_nodes[_e33];
+            node_2 = _e36;
+            // glimt_render_gpu/src/kernels/bvh.rs:145
+            let _e39 = node_2;
+            let _e40 = (*reach_2);
+            let _e41 = meet(_e39, ray_9, _e40);
+            met = _e41;
+            // glimt_render_gpu/src/kernels/bvh.rs:146
+            distance_ = 0x1.fffffep+127f;
+            // glimt_render_gpu/src/kernels/bvh.rs:148
+            counter_2 = 0u;
+            loop {
+                let i_1 = counter_2;
+                if (i_1 >= 4u) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/bvh.rs:149
+                let child = node_2.children[i_1];
+                // glimt_render_gpu/src/kernels/bvh.rs:150
+                let _e58 = met.children;
+                if (((_e58 >> (i_1 & 31u)) & 1u) != 0u) {
                     // glimt_render_gpu/src/kernels/bvh.rs:152
-                    let _e164 = best_1;
-                    return _e164;
+                    let _e67 = next;
+                    waiting = _e67;
+                    // glimt_render_gpu/src/kernels/bvh.rs:153
+                    if any_ {
+                        // glimt_render_gpu/src/kernels/bvh.rs:154
+                        next = child;
+                    } else {
+                        let _e73 = met.distances[i_1];
+                        let _e74 = distance_;
+                        if (_e73 < _e74) {
+                            // glimt_render_gpu/src/kernels/bvh.rs:156
+                            let _e79 = met.distances[i_1];
+                            distance_ = _e79;
+                            // glimt_render_gpu/src/kernels/bvh.rs:157
+                            next = child;
+                        } else {
+                            // glimt_render_gpu/src/kernels/bvh.rs:159
+                            waiting = child;
+                        }
+                    }
+                    // glimt_render_gpu/src/kernels/bvh.rs:161
+                    let _e83 = waiting;
+                    if (_e83 > 0u) {
+                        // glimt_render_gpu/src/kernels/bvh.rs:162
+                        let _e87 = waiting;
+                        let _e88 = height;
+                        stack[_e88] = _e87;
+                        // glimt_render_gpu/src/kernels/bvh.rs:163
+                        let _e92 = height;
+                        height = (_e92 + 1u);
+                    }
+                }
+                continuing {
+                    let _e94 = counter_2;
+                    counter_2 = (_e94 + 1u);
                 }
             }
+        } else {
+            // glimt_render_gpu/src/kernels/bvh.rs:168
+            let _e98 = at;
+            let _e101 = best_1;
+            let _e102 = visit_leaf((_e98 - 2147483648u), ray_9, reach_2, _e101, any_);
+            best_1 = _e102;
+            // glimt_render_gpu/src/kernels/bvh.rs:169
+            let _e104 = best_1;
+            if (any_ && (_e104 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:170
+                let _e109 = best_1;
+                return _e109;
+            }
         }
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e111 = next;
+        if (_e111 == 0u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e115 = height;
+            if (_e115 == 0u) {
+                // glimt_render_gpu/src/kernels/bvh.rs:175
+                let _e119 = best_1;
+                return _e119;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e122 = height;
+            height = (_e122 - 1u);
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            let _e125 = height;
+            let _e127 = stack[_e125];
+            next = _e127;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:180
+        let _e129 = next;
+        at = _e129;
     }
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:47
-fn closest_hit(ray_9: Ray, t_max_1: f32) -> Option_Hit {
+// glimt_render_gpu/src/kernels/bvh.rs:82
+fn closest_hit(ray_10: Ray, t_max_1: f32) -> Option_Hit {
     var t_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:54
+    // glimt_render_gpu/src/kernels/bvh.rs:89
     t_3 = t_max_1;
-    // glimt_render_gpu/src/kernels/bvh.rs:55
-    let _e7 = traverse(ray_9, (&t_3), false);
-    // glimt_render_gpu/src/kernels/bvh.rs:56
+    // glimt_render_gpu/src/kernels/bvh.rs:90
+    let _e7 = traverse(ray_10, (&t_3), false);
+    // glimt_render_gpu/src/kernels/bvh.rs:91
     if (_e7 == 4294967295u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:57
+        // glimt_render_gpu/src/kernels/bvh.rs:92
         return Option_Hit();
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:59
-    let triangle_5 = scene_triangles[_e7];
-    // glimt_render_gpu/src/kernels/bvh.rs:60
-    let _e18 = Triangle_is_catcher(triangle_5);
+    // glimt_render_gpu/src/kernels/bvh.rs:94
+    let triangle_6 = scene_triangles[_e7];
+    // glimt_render_gpu/src/kernels/bvh.rs:95
+    let _e18 = Triangle_is_catcher(triangle_6);
     if _e18 {
-        // glimt_render_gpu/src/kernels/bvh.rs:62
-        let _e21 = intersect(triangle_5, ray_9, 0x1.fffffep+127f);
+        // glimt_render_gpu/src/kernels/bvh.rs:97
+        let _e21 = intersect(triangle_6, ray_10, 0x1.fffffep+127f);
         t_3 = _e21;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:64
+    // glimt_render_gpu/src/kernels/bvh.rs:99
     let _e23 = t_3;
-    let _e24 = barycentrics(triangle_5, ray_9);
+    let _e24 = barycentrics(triangle_6, ray_10);
     return Option_Hit(true, Hit(_e7, _e23, _e24));
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:82
-fn Scene_closest_hit(ray_10: Ray) -> Option_Hit {
+fn Scene_closest_hit(ray_11: Ray) -> Option_Hit {
 
     // glimt_render_gpu/src/kernels/scene.rs:83
-    let _e4 = closest_hit(ray_10, 0x1.fffffep+127f);
+    let _e4 = closest_hit(ray_11, 0x1.fffffep+127f);
     return _e4;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:88
-fn Triangle_outward(this_22: Triangle) -> vec3<f32> {
-    var chosen_7: vec3<f32>;
+// glimt_render_gpu/src/kernels/triangle.rs:128
+fn Triangle_outward(this_25: Triangle) -> vec3<f32> {
+    var chosen_6: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:89
-    let _e3 = Triangle_area_normal(this_22);
-    // glimt_render_gpu/src/kernels/triangle.rs:90
-    if ((this_22.object & 536870912u) != 0u) {
-        // glimt_render_gpu/src/kernels/triangle.rs:91
-        chosen_7 = -(_e3);
+    // glimt_render_gpu/src/kernels/triangle.rs:129
+    let _e3 = Triangle_area_normal(this_25);
+    // glimt_render_gpu/src/kernels/triangle.rs:130
+    if ((this_25.object & 536870912u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:131
+        chosen_6 = -(_e3);
     } else {
-        // glimt_render_gpu/src/kernels/triangle.rs:93
-        chosen_7 = _e3;
+        // glimt_render_gpu/src/kernels/triangle.rs:133
+        chosen_6 = _e3;
     }
-    let _e14 = chosen_7;
+    let _e14 = chosen_6;
     return _e14;
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:144
 fn unit_or(v_3: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
-    var chosen_8: vec3<f32>;
+    var chosen_7: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/scene.rs:145
     let length_squared = dot(v_3, v_3);
     // glimt_render_gpu/src/kernels/scene.rs:146
     if (length_squared > 0.000000000001f) {
         // glimt_render_gpu/src/kernels/scene.rs:147
-        chosen_8 = (v_3 / vec3(sqrt(length_squared)));
+        chosen_7 = (v_3 / vec3(sqrt(length_squared)));
     } else {
         // glimt_render_gpu/src/kernels/scene.rs:149
-        chosen_8 = otherwise;
+        chosen_7 = otherwise;
     }
-    let _e14 = chosen_8;
+    let _e14 = chosen_7;
     return _e14;
 }
 
@@ -1837,15 +1910,15 @@ fn MaterialView_bumped_normal(words_start_4: u32, words_len_4: u32, uv_3: vec2<f
         return normal;
     }
     // glimt_render_gpu/src/kernels/material.rs:304
-    let t_9 = normalize(across_1);
+    let t_8 = normalize(across_1);
     // glimt_render_gpu/src/kernels/material.rs:305
-    let b_5 = (cross(normal, t_9) * handedness);
+    let b_3 = (cross(normal, t_8) * handedness);
     // glimt_render_gpu/src/kernels/material.rs:306
     let _e30 = MaterialView_sample(words_start_4, words_len_4, 40u, _e9, uv_3);
     let bump = ((_e30.xyz * 2f) - vec3(1f));
     // glimt_render_gpu/src/kernels/material.rs:307
     let _e44 = MaterialView_number(words_start_4, words_len_4, 14u);
-    let tilt = (((t_9 * bump.x) + (b_5 * bump.y)) * _e44);
+    let tilt = (((t_8 * bump.x) + (b_3 * bump.y)) * _e44);
     // glimt_render_gpu/src/kernels/material.rs:308
     let _e50 = unit_or((tilt + (normal * bump.z)), normal);
     return _e50;
@@ -1874,18 +1947,18 @@ fn ShadingFrame_from_normal(n_3: vec3<f32>) -> ShadingFrame {
     // glimt_sampling/src/math.rs:46
     let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_3.z) & 2147483648u)));
     // glimt_sampling/src/math.rs:47
-    let a_5 = (-1f / (sign_ + n_3.z));
+    let a_3 = (-1f / (sign_ + n_3.z));
     // glimt_sampling/src/math.rs:48
-    let c_3 = ((n_3.x * n_3.y) * a_5);
+    let c_1 = ((n_3.x * n_3.y) * a_3);
     // glimt_sampling/src/math.rs:49
-    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_3.x) * n_3.x) * a_5)), (sign_ * c_3), (-(sign_) * n_3.x)), vec3<f32>(c_3, (sign_ + ((n_3.y * n_3.y) * a_5)), -(n_3.y)), n_3);
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_3.x) * n_3.x) * a_3)), (sign_ * c_1), (-(sign_) * n_3.x)), vec3<f32>(c_1, (sign_ + ((n_3.y * n_3.y) * a_3)), -(n_3.y)), n_3);
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_23: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_26: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_4, this_23.t), dot(v_4, this_23.b), dot(v_4, this_23.n));
+    return vec3<f32>(dot(v_4, this_26.t), dot(v_4, this_26.b), dot(v_4, this_26.n));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:186
@@ -2021,104 +2094,109 @@ fn MaterialView_emission(words_start_8: u32, words_len_8: u32, uv_6: vec2<f32>, 
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:88
-fn Scene_shading_point(ray_11: Ray, hit: Hit) -> ShadingPoint {
-    var chosen_9: vec3<f32>;
-    var chosen_10: f32;
-    var chosen_11: vec3<f32>;
+fn Scene_shading_point(ray_12: Ray, hit: Hit) -> ShadingPoint {
+    var chosen_8: vec3<f32>;
+    var chosen_9: f32;
+    var chosen_10: vec3<f32>;
     var vertex_color_3: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/scene.rs:89
-    let triangle_6 = scene_triangles[hit.triangle];
+    let triangle_7 = scene_triangles[hit.triangle];
     // glimt_render_gpu/src/kernels/scene.rs:90
-    let first_7 = (3u * hit.triangle);
+    let first_8 = (3u * hit.triangle);
     // glimt_render_gpu/src/kernels/scene.rs:91
-    let a_6 = scene_corners[first_7];
+    let a_4 = scene_corners[first_8];
     // glimt_render_gpu/src/kernels/scene.rs:92
-    let b_6 = scene_corners[(first_7 + 1u)];
+    let b_4 = scene_corners[(first_8 + 1u)];
     // glimt_render_gpu/src/kernels/scene.rs:93
-    let c_4 = scene_corners[(first_7 + 2u)];
+    let c_2 = scene_corners[(first_8 + 2u)];
     // glimt_render_gpu/src/kernels/scene.rs:94
     let _e33 = Tuple_f32_f32_(hit.barycentrics.x, hit.barycentrics.y);
     let u_8 = _e33.fa;
     let v_5 = _e33.fb;
     // glimt_render_gpu/src/kernels/scene.rs:95
-    let w_3 = ((1f - u_8) - v_5);
+    let w_4 = ((1f - u_8) - v_5);
     // glimt_render_gpu/src/kernels/scene.rs:97
-    let to_eye_1 = -(ray_11.direction);
+    let to_eye_1 = -(ray_12.direction);
     // glimt_render_gpu/src/kernels/scene.rs:98
-    let _e44 = Triangle_outward(triangle_6);
+    let _e44 = Triangle_outward(triangle_7);
     let outward = normalize(_e44);
     // glimt_render_gpu/src/kernels/scene.rs:99
     let is_inside = (dot(outward, to_eye_1) < 0f);
     // glimt_render_gpu/src/kernels/scene.rs:100
     if is_inside {
-        chosen_9 = -(outward);
+        chosen_8 = -(outward);
     } else {
-        chosen_9 = outward;
+        chosen_8 = outward;
     }
-    let geometric_normal_1 = chosen_9;
+    let geometric_normal_1 = chosen_8;
     // glimt_render_gpu/src/kernels/scene.rs:101
-    let _e63 = unit_or((((a_6.normal * w_3) + (b_6.normal * u_8)) + (c_4.normal * v_5)), outward);
+    let _e63 = unit_or((((a_4.normal * w_4) + (b_4.normal * u_8)) + (c_2.normal * v_5)), outward);
     // glimt_render_gpu/src/kernels/scene.rs:103
-    let uv_7 = vec2<f32>((((a_6.u * w_3) + (b_6.u * u_8)) + (c_4.u * v_5)), (((a_6.v * w_3) + (b_6.v * u_8)) + (c_4.v * v_5)));
+    let uv_7 = vec2<f32>((((a_4.u * w_4) + (b_4.u * u_8)) + (c_2.u * v_5)), (((a_4.v * w_4) + (b_4.v * u_8)) + (c_2.v * v_5)));
     // glimt_render_gpu/src/kernels/scene.rs:104
-    let _e86 = MaterialView_new((triangle_6.material & 2147483647u));
+    let _e86 = MaterialView_new((triangle_7.material & 2147483647u));
     // glimt_render_gpu/src/kernels/scene.rs:105
-    let tangent_1 = (((a_6.tangent * w_3) + (b_6.tangent * u_8)) + (c_4.tangent * v_5));
+    let tangent_1 = (((a_4.tangent * w_4) + (b_4.tangent * u_8)) + (c_2.tangent * v_5));
     // glimt_render_gpu/src/kernels/scene.rs:106
-    if ((triangle_6.material & 2147483648u) != 0u) {
+    if ((triangle_7.material & 2147483648u) != 0u) {
         // glimt_render_gpu/src/kernels/scene.rs:107
-        chosen_10 = -1f;
+        chosen_9 = -1f;
     } else {
         // glimt_render_gpu/src/kernels/scene.rs:109
-        chosen_10 = 1f;
+        chosen_9 = 1f;
     }
-    let handedness_1 = chosen_10;
+    let handedness_1 = chosen_9;
     // glimt_render_gpu/src/kernels/scene.rs:111
     let _e111 = MaterialView_bumped_normal(_e86.value_words_start, _e86.value_words_len, uv_7, _e63, tangent_1, handedness_1);
     // glimt_render_gpu/src/kernels/scene.rs:113
     if is_inside {
-        chosen_11 = -(_e111);
+        chosen_10 = -(_e111);
     } else {
-        chosen_11 = _e111;
+        chosen_10 = _e111;
     }
-    let sided = chosen_11;
+    let sided = chosen_10;
     // glimt_render_gpu/src/kernels/scene.rs:114
     let _e117 = bent_towards(sided, to_eye_1, geometric_normal_1);
     // glimt_render_gpu/src/kernels/scene.rs:116
     vertex_color_3 = vec3(1f);
     // glimt_render_gpu/src/kernels/scene.rs:117
-    if (triangle_6.attributes != 0u) {
+    if (triangle_7.attributes != 0u) {
         // glimt_render_gpu/src/kernels/scene.rs:118
-        let _e128 = Attributes_at(triangle_6.attributes, u_8, v_5);
+        let _e128 = Attributes_at(triangle_7.attributes, u_8, v_5);
         // glimt_render_gpu/src/kernels/scene.rs:119
         vertex_color_3 = _e128.color.xyz;
     }
     // glimt_render_gpu/src/kernels/scene.rs:121
     let _e133 = ShadingFrame_from_normal(_e117);
     // glimt_render_gpu/src/kernels/scene.rs:122
-    let edges = (((triangle_6.v1_ - triangle_6.v0_) * u_8) + ((triangle_6.v2_ - triangle_6.v0_) * v_5));
+    let _e135 = Triangle_b(triangle_7);
+    let _e136 = Triangle_a(triangle_7);
+    let _e139 = Triangle_c(triangle_7);
+    let _e140 = Triangle_a(triangle_7);
+    let edges = (((_e135 - _e136) * u_8) + ((_e139 - _e140) * v_5));
     // glimt_render_gpu/src/kernels/scene.rs:123
-    let _e147 = Triangle_ray_offset(triangle_6);
+    let _e145 = Triangle_a(triangle_7);
+    let _e147 = Triangle_ray_offset(triangle_7);
     let _e150 = ShadingFrame_to_local(_e133, to_eye_1);
     let _e151 = vertex_color_3;
     let _e152 = MaterialView_brdf(_e86.value_words_start, _e86.value_words_len, uv_7, _e151);
     let _e153 = vertex_color_3;
     let _e154 = MaterialView_emission(_e86.value_words_start, _e86.value_words_len, uv_7, _e153);
-    return ShadingPoint(((triangle_6.v0_ + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
+    return ShadingPoint(((_e145 + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:52
-fn Triangle_object_index(this_24: Triangle) -> u32 {
+// glimt_render_gpu/src/kernels/triangle.rs:92
+fn Triangle_object_index(this_27: Triangle) -> u32 {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:53
-    return (this_24.object & 536870911u);
+    // glimt_render_gpu/src/kernels/triangle.rs:93
+    return (this_27.object & 536870911u);
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:124
 fn see_by(pattern_1: PixelPattern, frame_3: FrameParams) -> SeenPoint {
-    var chosen_12: u32;
-    var chosen_13: vec3<f32>;
+    var chosen_11: u32;
+    var chosen_12: vec3<f32>;
 
     // glimt_render_gpu/src/kernels/seen.rs:125
     let _e4 = FrameParams_camera_ray(frame_3, pattern_1);
@@ -2132,54 +2210,54 @@ fn see_by(pattern_1: PixelPattern, frame_3: FrameParams) -> SeenPoint {
     // glimt_render_gpu/src/kernels/seen.rs:129
     let _e34 = Scene_shading_point(_e4, hit_1);
     // glimt_render_gpu/src/kernels/seen.rs:130
-    let triangle_7 = scene_triangles[hit_1.triangle];
+    let triangle_8 = scene_triangles[hit_1.triangle];
     // glimt_render_gpu/src/kernels/seen.rs:131
-    let _e41 = Triangle_is_catcher(triangle_7);
+    let _e41 = Triangle_is_catcher(triangle_8);
     // glimt_render_gpu/src/kernels/seen.rs:132
-    let _e44 = Triangle_object_index(triangle_7);
+    let _e44 = Triangle_object_index(triangle_8);
     if _e41 {
         // glimt_render_gpu/src/kernels/seen.rs:136
-        chosen_12 = 2u;
+        chosen_11 = 2u;
     } else {
-        chosen_12 = 0u;
+        chosen_11 = 0u;
     }
-    let _e52 = chosen_12;
+    let _e52 = chosen_11;
     if _e41 {
         // glimt_render_gpu/src/kernels/seen.rs:146
-        chosen_13 = vec3(0f);
+        chosen_12 = vec3(0f);
     } else {
         // glimt_render_gpu/src/kernels/seen.rs:148
-        chosen_13 = _e34.emission;
+        chosen_12 = _e34.emission;
     }
-    let _e72 = chosen_13;
-    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_7.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
+    let _e72 = chosen_12;
+    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_8.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
 }
 
 // glimt_render_gpu/src/kernels/cell_state.rs:83
-fn slot_of(surface: u32, first_2: u32) -> u32 {
+fn slot_of(surface: u32, first_3: u32) -> u32 {
     var slot: u32;
-    var counter_2: u32;
+    var counter_3: u32;
 
     // glimt_render_gpu/src/kernels/cell_state.rs:84
     slot = 0u;
     // glimt_render_gpu/src/kernels/cell_state.rs:85
-    counter_2 = 0u;
+    counter_3 = 0u;
     loop {
-        let i_1 = counter_2;
-        if (i_1 >= 3u) {
+        let i_2 = counter_3;
+        if (i_2 >= 3u) {
             break;
         }
         // glimt_render_gpu/src/kernels/cell_state.rs:86
-        let own_1 = entries[(first_2 + i_1)].surface;
+        let own_1 = entries[(first_3 + i_2)].surface;
         // glimt_render_gpu/src/kernels/cell_state.rs:88
         let _e19 = slot;
-        if ((_e19 == 0u) && ((own_1 == surface) || ((i_1 == (3u - 1u)) && (own_1 != 0u)))) {
+        if ((_e19 == 0u) && ((own_1 == surface) || ((i_2 == (3u - 1u)) && (own_1 != 0u)))) {
             // glimt_render_gpu/src/kernels/cell_state.rs:89
-            slot = (i_1 + 1u);
+            slot = (i_2 + 1u);
         }
         continuing {
-            let _e35 = counter_2;
-            counter_2 = (_e35 + 1u);
+            let _e35 = counter_3;
+            counter_3 = (_e35 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/cell_state.rs:92
@@ -2188,20 +2266,20 @@ fn slot_of(surface: u32, first_2: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:77
-fn SeenPoint_is_hit(this_25: SeenPoint) -> bool {
+fn SeenPoint_is_hit(this_28: SeenPoint) -> bool {
 
     // glimt_render_gpu/src/kernels/seen.rs:78
-    return (this_25.surface != 0u);
+    return (this_28.surface != 0u);
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:98
-fn SeenPoint_shading_point(this_26: SeenPoint) -> ShadingPoint {
+fn SeenPoint_shading_point(this_29: SeenPoint) -> ShadingPoint {
 
     // glimt_render_gpu/src/kernels/seen.rs:99
-    let _e4 = ShadingFrame_from_normal(this_26.normal);
+    let _e4 = ShadingFrame_from_normal(this_29.normal);
     // glimt_render_gpu/src/kernels/seen.rs:100
-    let _e9 = ShadingFrame_to_local(_e4, this_26.wo);
-    return ShadingPoint(this_26.origin, this_26.geometric_normal, _e4, _e9, BlinnPhong(this_26.diffuse, this_26.specular, this_26.exponent), this_26.emission);
+    let _e9 = ShadingFrame_to_local(_e4, this_29.wo);
+    return ShadingPoint(this_29.origin, this_29.geometric_normal, _e4, _e9, BlinnPhong(this_29.diffuse, this_29.specular, this_29.exponent), this_29.emission);
 }
 
 // glimt_sampling/src/math.rs:16
@@ -2219,10 +2297,10 @@ fn rotate_z(d: vec3<f32>, cos_sin: vec2<f32>) -> vec3<f32> {
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:89
-fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction_2: vec3<f32>) -> vec3<f32> {
+fn Environment_to_map(size_3: vec2<u32>, rotation_1: vec2<f32>, direction_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:90
-    let _e8 = rotate_z(direction_2, vec2<f32>(rotation_1.x, -(rotation_1.y)));
+    let _e8 = rotate_z(direction_1, vec2<f32>(rotation_1.x, -(rotation_1.y)));
     return _e8;
 }
 
@@ -2263,22 +2341,22 @@ fn Representative_alone(normal_3: vec3<f32>, wo_1: vec3<f32>, diffuse: f32, spec
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:84
-fn SeenPoint_is_catcher(this_27: SeenPoint) -> bool {
+fn SeenPoint_is_catcher(this_30: SeenPoint) -> bool {
 
     // glimt_render_gpu/src/kernels/seen.rs:85
-    return ((this_27.flags & 2u) != 0u);
+    return ((this_30.flags & 2u) != 0u);
 }
 
 // glimt_light_cells/src/partition.rs:111
 fn LightCells_quad(size_4: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
     // glimt_light_cells/src/partition.rs:112
-    let at_2 = (((start + 32u) + (list * 512u)) + (4u * quad));
+    let at_3 = (((start + 32u) + (list * 512u)) + (4u * quad));
     // glimt_light_cells/src/partition.rs:113
-    let _e16 = env_tables[at_2];
-    let _e22 = env_tables[(at_2 + 1u)];
-    let _e28 = env_tables[(at_2 + 2u)];
-    let _e34 = env_tables[(at_2 + 3u)];
+    let _e16 = env_tables[at_3];
+    let _e22 = env_tables[(at_3 + 1u)];
+    let _e28 = env_tables[(at_3 + 2u)];
+    let _e34 = env_tables[(at_3 + 3u)];
     return vec4<f32>(bitcast<f32>(_e16), bitcast<f32>(_e22), bitcast<f32>(_e28), bitcast<f32>(_e34));
 }
 
@@ -2304,13 +2382,13 @@ fn cosine_power4_(sin2_theta: vec4<f32>, exponent_3: vec4<f32>) -> vec4<f32> {
     // glimt_light_cells/src/surface.rs:85
     let log_ = ((s_3 * (vec4(6f) - s_3)) / (vec4(12f) - (8f * s_3)));
     // glimt_light_cells/src/surface.rs:86
-    let t_10 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
+    let t_9 = (min((exponent_3 * log_), vec4(40f)) * (1f / 256f));
     // glimt_light_cells/src/surface.rs:88
-    let x_13 = (vec4(1f) - (t_10 * (vec4(1f) - (t_10 * (vec4(0.5f) - (t_10 * (1f / 6f)))))));
+    let x_15 = (vec4(1f) - (t_9 * (vec4(1f) - (t_9 * (vec4(0.5f) - (t_9 * (1f / 6f)))))));
     // glimt_light_cells/src/surface.rs:89
-    let x2_ = (x_13 * x_13);
+    let x2_1 = (x_15 * x_15);
     // glimt_light_cells/src/surface.rs:90
-    let x4_ = (x2_ * x2_);
+    let x4_ = (x2_1 * x2_1);
     // glimt_light_cells/src/surface.rs:91
     let x8_ = (x4_ * x4_);
     // glimt_light_cells/src/surface.rs:92
@@ -2339,17 +2417,17 @@ fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     // glimt_light_cells/src/surface.rs:178
     let n_5 = surface_1.normal;
     // glimt_light_cells/src/surface.rs:179
-    let c_5 = (((_e7 * n_5.x) + (_e12 * n_5.y)) + (_e17 * n_5.z));
+    let c_3 = (((_e7 * n_5.x) + (_e12 * n_5.y)) + (_e17 * n_5.z));
     // glimt_light_cells/src/surface.rs:180
-    let reach_2 = (_e20 + vec4(surface_1.horizon));
+    let reach_3 = (_e20 + vec4(surface_1.horizon));
     // glimt_light_cells/src/surface.rs:181
-    let up = max((c_5 + reach_2), vec4(0f));
+    let up = max((c_3 + reach_3), vec4(0f));
     // glimt_light_cells/src/surface.rs:182
     let _e42 = step_(up);
     // glimt_light_cells/src/surface.rs:183
-    let _e45 = step_((c_5 - reach_2));
+    let _e45 = step_((c_3 - reach_3));
     // glimt_light_cells/src/surface.rs:184
-    let cosine_1 = max(c_5, vec4(0f));
+    let cosine_1 = max(c_3, vec4(0f));
     // glimt_light_cells/src/surface.rs:185
     let half_spread = vec4((0.5f * surface_1.spread));
     // glimt_light_cells/src/surface.rs:186
@@ -2360,15 +2438,15 @@ fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
         return CellTerms(cosine_1, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
     // glimt_light_cells/src/surface.rs:198
-    let lifted = max(c_5, (0.25f * up));
+    let lifted = max(c_3, (0.25f * up));
     // glimt_light_cells/src/surface.rs:199
     let v_6 = surface_1.wo;
     // glimt_light_cells/src/surface.rs:200
     let nv = dot(n_5, v_6);
     // glimt_light_cells/src/surface.rs:201
-    let dv = ((((_e7 * v_6.x) + (_e12 * v_6.y)) + (_e17 * v_6.z)) + ((lifted - c_5) * nv));
+    let dv = ((((_e7 * v_6.x) + (_e12 * v_6.y)) + (_e17 * v_6.z)) + ((lifted - c_3) * nv));
     // glimt_light_cells/src/surface.rs:202
-    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_5 * c_5)), vec4(0.000001f)));
+    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_3 * c_3)), vec4(0.000001f)));
     // glimt_light_cells/src/surface.rs:203
     let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
     // glimt_light_cells/src/surface.rs:204
@@ -2383,18 +2461,18 @@ fn LightCells_terms(size_5: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     // glimt_light_cells/src/surface.rs:208
     let e = max(surface_1.exponent, 0.001f);
     // glimt_light_cells/src/surface.rs:209
-    let seen_1 = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    let seen_2 = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
     // glimt_light_cells/src/surface.rs:210
-    let _e151 = cosine_power4_(sin2_, seen_1);
-    let lobe = (((_e151 * seen_1) * (lifted * _e42)) * ((surface_1.share * surface_1.peak) / e));
+    let _e151 = cosine_power4_(sin2_, seen_2);
+    let lobe = (((_e151 * seen_2) * (lifted * _e42)) * ((surface_1.share * surface_1.peak) / e));
     // glimt_light_cells/src/surface.rs:212
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
     // glimt_light_cells/src/surface.rs:213
-    let near_2 = (vec4((((0.1f * e) * surface_1.spread) * surface_1.spread)) + ((0.06f * e) * r2_));
+    let near = (vec4((((0.1f * e) * surface_1.spread) * surface_1.spread)) + ((0.06f * e) * r2_));
     // glimt_light_cells/src/surface.rs:214
     let slope_1 = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
     // glimt_light_cells/src/surface.rs:215
-    return CellTerms(cosine_1, _e45, _e42, lobe, min((slope_1 + near_2), vec4(1f)), cosine_spread);
+    return CellTerms(cosine_1, _e45, _e42, lobe, min((slope_1 + near), vec4(1f)), cosine_spread);
 }
 
 // glimt_render_gpu/src/kernels/cell_state.rs:98
@@ -2405,10 +2483,10 @@ fn bytes_of(word_5: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/cell_state.rs:119
-fn quad_counts(first_3: u32, second: u32) -> QuadCounts {
+fn quad_counts(first_4: u32, second: u32) -> QuadCounts {
 
     // glimt_render_gpu/src/kernels/cell_state.rs:120
-    let _e4 = bytes_of(first_3);
+    let _e4 = bytes_of(first_4);
     let _e5 = bytes_of(second);
     let _e6 = Tuple_Vec4_Vec4_(_e4, _e5);
     let low_1 = _e6.fa;
@@ -2437,39 +2515,39 @@ fn Remembered_quad(from_3: u32, turned_4: u32, quad_3: u32) -> vec4<f32> {
 }
 
 // glimt_light_cells/src/surface.rs:162
-fn CellSurface_shape_variance(this_28: CellSurface, terms: CellTerms) -> vec4<f32> {
+fn CellSurface_shape_variance(this_31: CellSurface, terms: CellTerms) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:163
-    let diffuse_1 = (terms.cosine_spread * this_28.diffuse);
+    let diffuse_1 = (terms.cosine_spread * this_31.diffuse);
     // glimt_light_cells/src/surface.rs:164
-    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_28.specular);
+    let lobe_1 = ((terms.lobe * terms.lobe_spread) * this_31.specular);
     // glimt_light_cells/src/surface.rs:165
     return ((diffuse_1 * diffuse_1) + (lobe_1 * lobe_1));
 }
 
 // glimt_light_cells/src/surface.rs:153
-fn CellSurface_blocked_weights(this_29: CellSurface, terms_1: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
+fn CellSurface_blocked_weights(this_32: CellSurface, terms_1: CellTerms, flux: vec4<f32>, visibility: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:154
-    let reflected = ((terms_1.cosine * this_29.diffuse) + (terms_1.lobe * this_29.specular));
+    let reflected = ((terms_1.cosine * this_32.diffuse) + (terms_1.lobe * this_32.specular));
     // glimt_light_cells/src/surface.rs:155
     let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:156
-    let _e22 = CellSurface_shape_variance(this_29, terms_1);
+    let _e22 = CellSurface_shape_variance(this_32, terms_1);
     // glimt_light_cells/src/surface.rs:157
     let _e29 = sqrt_((((reflected * reflected) * blocked) + _e22));
     return ((flux * terms_1.live) * _e29);
 }
 
 // glimt_light_cells/src/surface.rs:142
-fn CellSurface_residual_weights(this_30: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
+fn CellSurface_residual_weights(this_33: CellSurface, terms_2: CellTerms, flux_1: vec4<f32>, visibility_1: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:143
-    let reflected_1 = ((terms_2.cosine * this_30.diffuse) + (terms_2.lobe * this_30.specular));
+    let reflected_1 = ((terms_2.cosine * this_33.diffuse) + (terms_2.lobe * this_33.specular));
     // glimt_light_cells/src/surface.rs:144
     let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
     // glimt_light_cells/src/surface.rs:145
-    let _e22 = CellSurface_shape_variance(this_30, terms_2);
+    let _e22 = CellSurface_shape_variance(this_33, terms_2);
     let by_shape = (_e22 * max(visibility_1, vec4(0.02f)));
     // glimt_light_cells/src/surface.rs:146
     let _e33 = sqrt_((((reflected_1 * reflected_1) * by_visibility) + by_shape));
@@ -2477,38 +2555,38 @@ fn CellSurface_residual_weights(this_30: CellSurface, terms_2: CellTerms, flux_1
 }
 
 // glimt_light_cells/src/surface.rs:133
-fn CellSurface_product_weights(this_31: CellSurface, terms_3: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
+fn CellSurface_product_weights(this_34: CellSurface, terms_3: CellTerms, flux_2: vec4<f32>) -> vec4<f32> {
 
     // glimt_light_cells/src/surface.rs:134
-    let reflected_2 = ((terms_3.cosine * this_31.diffuse) + (terms_3.lobe * this_31.specular));
+    let reflected_2 = ((terms_3.cosine * this_34.diffuse) + (terms_3.lobe * this_34.specular));
     // glimt_light_cells/src/surface.rs:135
-    return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_31.diffuse)));
+    return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_34.diffuse)));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:253
 fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
+    var chosen_13: vec4<f32>;
     var chosen_14: vec4<f32>;
-    var chosen_15: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/proposal.rs:260
     if (true && is_catcher) {
         // glimt_render_gpu/src/kernels/proposal.rs:261
         let _e11 = CellSurface_blocked_weights(surface_2, terms_4, flux_3, visibility_2);
-        chosen_14 = _e11;
+        chosen_13 = _e11;
     } else {
         if true {
             // glimt_render_gpu/src/kernels/proposal.rs:263
             let _e15 = CellSurface_residual_weights(surface_2, terms_4, flux_3, visibility_2);
-            chosen_15 = _e15;
+            chosen_14 = _e15;
         } else {
             // glimt_render_gpu/src/kernels/proposal.rs:265
             let _e17 = CellSurface_product_weights(surface_2, terms_4, flux_3);
-            chosen_15 = _e17;
+            chosen_14 = _e17;
         }
-        let _e18 = chosen_15;
-        chosen_14 = _e18;
+        let _e18 = chosen_14;
+        chosen_13 = _e18;
     }
-    let _e19 = chosen_14;
+    let _e19 = chosen_13;
     return _e19;
 }
 
@@ -2555,7 +2633,7 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_6: u32, factor
 // glimt_render_gpu/src/kernels/proposal.rs:188
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_from: u32, expected_turned: u32, is_catcher_1: bool) -> Totals {
     var t_4: Totals;
-    var counter_3: u32;
+    var counter_4: u32;
 
     // glimt_render_gpu/src/kernels/proposal.rs:194
     let surface_3 = of_.surface;
@@ -2564,9 +2642,9 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
     // glimt_render_gpu/src/kernels/proposal.rs:196
     t_4 = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/proposal.rs:211
-    counter_3 = 0u;
+    counter_4 = 0u;
     loop {
-        let quad_7 = counter_3;
+        let quad_7 = counter_4;
         if (quad_7 >= 128u) {
             break;
         }
@@ -2613,17 +2691,17 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
             // glimt_render_gpu/src/kernels/proposal.rs:231
             if has_lobe {
                 // glimt_render_gpu/src/kernels/proposal.rs:232
-                let a_7 = (_e45.lobe * _e43);
+                let a_5 = (_e45.lobe * _e43);
                 // glimt_render_gpu/src/kernels/proposal.rs:233
-                let spread = ((a_7 * _e45.lobe_spread) * _e45.lobe_spread);
+                let spread = ((a_5 * _e45.lobe_spread) * _e45.lobe_spread);
                 // glimt_render_gpu/src/kernels/proposal.rs:234
                 let _e126 = t_4.lobe;
-                t_4.lobe = (_e126 + (((a_7.x + a_7.y) + a_7.z) + a_7.w));
+                t_4.lobe = (_e126 + (((a_5.x + a_5.y) + a_5.z) + a_5.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:235
                 let _e137 = t_4.lobe_spread;
                 t_4.lobe_spread = (_e137 + (((spread.x + spread.y) + spread.z) + spread.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:236
-                let _e140 = (a_7 * _e60);
+                let _e140 = (a_5 * _e60);
                 let _e149 = t_4.lobe_visible;
                 t_4.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:237
@@ -2656,8 +2734,8 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
             t_4.live = (_e202 + live);
         }
         continuing {
-            let _e204 = counter_3;
-            counter_3 = (_e204 + 1u);
+            let _e204 = counter_4;
+            counter_4 = (_e204 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:249
@@ -2666,22 +2744,22 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:272
-fn worth(a_3: f32, visible: f32, variance: f32) -> f32 {
+fn worth(a_2: f32, visible: f32, variance: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:273
     if true {
         // glimt_render_gpu/src/kernels/proposal.rs:274
-        return (a_3 * sqrt(((visible * (1f - visible)) + (visible * variance))));
+        return (a_2 * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
     // glimt_render_gpu/src/kernels/proposal.rs:277
-    return (a_3 * sqrt((1f + (2f * variance))));
+    return (a_2 * sqrt((1f + (2f * variance))));
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:284
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_from_1: u32, expected_turned_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
-    var first_4: Totals;
+    var first_5: Totals;
     var lobe_worth: f32;
     var least_share: f32;
     var share: f32;
@@ -2689,9 +2767,9 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var total: f32;
     var quads: array<f32, 128>;
     var rows: array<f32, 16>;
-    var counter_4: u32;
-    var of_row: f32;
     var counter_5: u32;
+    var of_row: f32;
+    var counter_6: u32;
     var lobe_share: f32;
 
     // glimt_render_gpu/src/kernels/proposal.rs:290
@@ -2702,7 +2780,7 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     sums = _e11;
     // glimt_render_gpu/src/kernels/proposal.rs:292
     let _e14 = sums;
-    first_4 = _e14;
+    first_5 = _e14;
     // glimt_render_gpu/src/kernels/proposal.rs:293
     lobe_worth = 0f;
     // glimt_render_gpu/src/kernels/proposal.rs:294
@@ -2740,7 +2818,7 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
         // glimt_render_gpu/src/kernels/proposal.rs:307
         let _e75 = sums.lobe;
         let _e78 = of_2.surface.specular;
-        let a_8 = (_e75 * _e78);
+        let a_6 = (_e75 * _e78);
         // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e82 = sums.lobe_visible;
         let _e84 = sums.lobe;
@@ -2750,7 +2828,7 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
         if (_e89 < 1f) {
             // glimt_render_gpu/src/kernels/proposal.rs:310
             let _e94 = share;
-            let _e96 = worth(a_8, visible_1, by_lobe);
+            let _e96 = worth(a_6, visible_1, by_lobe);
             lobe_worth = ((1f - _e94) * _e96);
             // glimt_render_gpu/src/kernels/proposal.rs:311
             let _e99 = share;
@@ -2786,18 +2864,18 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     // glimt_render_gpu/src/kernels/proposal.rs:324
     rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:325
-    counter_4 = 0u;
+    counter_5 = 0u;
     loop {
-        let row_2 = counter_4;
+        let row_2 = counter_5;
         if (row_2 >= 16u) {
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:326
         of_row = 0f;
         // glimt_render_gpu/src/kernels/proposal.rs:327
-        counter_5 = (row_2 * 8u);
+        counter_6 = (row_2 * 8u);
         loop {
-            let quad_8 = counter_5;
+            let quad_8 = counter_6;
             if (quad_8 >= ((row_2 + 1u) * 8u)) {
                 break;
             }
@@ -2812,8 +2890,8 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
             let _e182 = of_row;
             of_row = (_e182 + weight_2);
             continuing {
-                let _e184 = counter_5;
-                counter_5 = (_e184 + 1u);
+                let _e184 = counter_6;
+                counter_6 = (_e184 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/proposal.rs:332
@@ -2824,8 +2902,8 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
         let _e192 = total;
         total = (_e192 + _e191);
         continuing {
-            let _e194 = counter_4;
-            counter_4 = (_e194 + 1u);
+            let _e194 = counter_5;
+            counter_5 = (_e194 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:335
@@ -2851,13 +2929,13 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     let _e222 = of_2.diffuse;
     let kd_1 = (_e222 * 0.31830987f);
     // glimt_render_gpu/src/kernels/proposal.rs:344
-    let _e227 = first_4.diffuse;
+    let _e227 = first_5.diffuse;
     let _e230 = of_2.specular;
-    let _e232 = first_4.specular;
+    let _e232 = first_5.specular;
     let _e233 = share;
-    let _e238 = first_4.open_diffuse;
+    let _e238 = first_5.open_diffuse;
     let _e241 = of_2.specular;
-    let _e243 = first_4.open_specular;
+    let _e243 = first_5.open_specular;
     let _e244 = share;
     let _e248 = of_2;
     let _e249 = quads;
@@ -2870,40 +2948,40 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:105
-fn PixelPattern_point(this_32: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
+fn PixelPattern_point(this_35: PixelPattern, purpose_5: u32, index_15: u32) -> PatternSource {
 
     // glimt_render_gpu/src/kernels/pattern.rs:106
-    let _e8 = PixelPattern_sobol_point(this_32, purpose_5, index_15);
-    let _e9 = PixelPattern_generator(this_32, purpose_5, index_15);
-    return PatternSource((this_32.kind == 0u), _e8, _e9);
+    let _e8 = PixelPattern_sobol_point(this_35, purpose_5, index_15);
+    let _e9 = PixelPattern_generator(this_35, purpose_5, index_15);
+    return PatternSource((this_35.kind == 0u), _e8, _e9);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:180
-fn PatternSource_next_uvec2_(this_33: ptr<function, PatternSource>) -> vec2<u32> {
-    var chosen_16: vec2<u32>;
+fn PatternSource_next_uvec2_(this_36: ptr<function, PatternSource>) -> vec2<u32> {
+    var chosen_15: vec2<u32>;
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:181
-    let _e5 = (*this_33).is_sobol;
+    let _e5 = (*this_36).is_sobol;
     if _e5 {
         // glimt_render_gpu/src/kernels/pattern.rs:182
-        let _e9 = (*this_33).point;
+        let _e9 = (*this_36).point;
         borrowed_2 = _e9;
         let _e10 = OwenSobol_next_uvec2_((&borrowed_2));
         let _e11 = borrowed_2;
-        (*this_33).point = _e11;
-        chosen_16 = _e10;
+        (*this_36).point = _e11;
+        chosen_15 = _e10;
     } else {
         // glimt_render_gpu/src/kernels/pattern.rs:184
-        let _e15 = (*this_33).generator;
+        let _e15 = (*this_36).generator;
         borrowed_3 = _e15;
         let _e16 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
         let _e17 = borrowed_3;
-        (*this_33).generator = _e17;
-        chosen_16 = _e16;
+        (*this_36).generator = _e17;
+        chosen_15 = _e16;
     }
-    let _e18 = chosen_16;
+    let _e18 = chosen_15;
     return _e18;
 }
 
@@ -2915,39 +2993,39 @@ fn Place_new(target_: f32) -> Place {
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:492
-fn Place_offer(this_34: ptr<function, Place>, index_16: u32, width: f32) {
+fn Place_offer(this_37: ptr<function, Place>, index_16: u32, width: f32) {
 
     // glimt_render_gpu/src/kernels/proposal.rs:493
-    let _e8 = (*this_34).is_found;
+    let _e8 = (*this_37).is_found;
     if ((width > 0f) && !(_e8)) {
         // glimt_render_gpu/src/kernels/proposal.rs:494
-        (*this_34).index = index_16;
+        (*this_37).index = index_16;
         // glimt_render_gpu/src/kernels/proposal.rs:495
-        let _e15 = (*this_34).sum;
-        (*this_34).first = _e15;
+        let _e15 = (*this_37).sum;
+        (*this_37).first = _e15;
         // glimt_render_gpu/src/kernels/proposal.rs:496
-        (*this_34).width = width;
+        (*this_37).width = width;
     }
     // glimt_render_gpu/src/kernels/proposal.rs:498
-    let _e21 = (*this_34).sum;
-    (*this_34).sum = (_e21 + width);
+    let _e21 = (*this_37).sum;
+    (*this_37).sum = (_e21 + width);
     // glimt_render_gpu/src/kernels/proposal.rs:499
-    let _e25 = (*this_34).is_found;
-    let _e27 = (*this_34).sum;
-    let _e29 = (*this_34).target_;
-    (*this_34).is_found = (_e25 || (_e27 > _e29));
+    let _e25 = (*this_37).is_found;
+    let _e27 = (*this_37).sum;
+    let _e29 = (*this_37).target_;
+    (*this_37).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:505
-fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
+fn Place_word(this_38: Place, whole: f32, fraction: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/proposal.rs:506
     let unit = (whole * (1f / 16777216f));
     // glimt_render_gpu/src/kernels/proposal.rs:507
-    let fine = ((this_35.target_ - this_35.first) + (unit * (f32(fraction) * (1f / 65536f))));
+    let fine = ((this_38.target_ - this_38.first) + (unit * (f32(fraction) * (1f / 65536f))));
     // glimt_render_gpu/src/kernels/proposal.rs:508
-    let place_3 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    let place_3 = clamp((fine / max(this_38.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
     // glimt_render_gpu/src/kernels/proposal.rs:509
     return ((u32((place_3 * 16777216f)) << 8u) | (fraction & 255u));
 }
@@ -2956,10 +3034,10 @@ fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
 fn LightCells_texel_rows(size_6: vec2<u32>, start_2: u32, row: u32) -> vec2<u32> {
 
     // glimt_light_cells/src/partition.rs:139
-    let at_3 = (start_2 + row);
+    let at_4 = (start_2 + row);
     // glimt_light_cells/src/partition.rs:140
-    let _e8 = env_tables[at_3];
-    let _e13 = env_tables[(at_3 + 1u)];
+    let _e8 = env_tables[at_4];
+    let _e13 = env_tables[(at_4 + 1u)];
     return vec2<u32>(_e8, _e13);
 }
 
@@ -2986,11 +3064,11 @@ fn LightCells_row_edges(size_7: vec2<u32>, start_3: u32, cell_2: u32, rows_1: ve
 
 // glimt_envmap_cdf/src/search.rs:31
 fn find_bin(start_4: u32, bins: u32, u_4: u32) -> Bin {
-    var at: u32;
+    var at_1: u32;
     var left: u32;
 
     // glimt_envmap_cdf/src/search.rs:33
-    at = start_4;
+    at_1 = start_4;
     // glimt_envmap_cdf/src/search.rs:34
     left = bins;
     // glimt_envmap_cdf/src/search.rs:35
@@ -3003,25 +3081,25 @@ fn find_bin(start_4: u32, bins: u32, u_4: u32) -> Bin {
         let _e14 = left;
         let half = (_e14 / 2u);
         // glimt_envmap_cdf/src/search.rs:37
-        let _e18 = at;
+        let _e18 = at_1;
         let _e22 = env_tables[(_e18 + half)];
         if (_e22 <= u_4) {
             // glimt_envmap_cdf/src/search.rs:38
-            let _e25 = at;
-            at = (_e25 + half);
+            let _e25 = at_1;
+            at_1 = (_e25 + half);
         }
         // glimt_envmap_cdf/src/search.rs:40
         let _e28 = left;
         left = (_e28 - half);
     }
     // glimt_envmap_cdf/src/search.rs:42
-    let _e31 = at;
-    let first_8 = env_tables[_e31];
+    let _e31 = at_1;
+    let first_9 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
-    let _e36 = at;
-    let _e38 = at;
+    let _e36 = at_1;
+    let _e38 = at_1;
     let _e43 = env_tables[(_e38 + 1u)];
-    return Bin((_e36 - start_4), first_8, (_e43 - first_8));
+    return Bin((_e36 - start_4), first_9, (_e43 - first_9));
 }
 
 // glimt_light_cells/src/partition.rs:90
@@ -3060,26 +3138,26 @@ fn LightCells_column_edge(size_9: vec2<u32>, start_5: u32, x_9: u32, y_1: u32) -
     // glimt_light_cells/src/partition.rs:154
     let _e6 = first_column_word(size_9);
     let _e9 = column_words(size_9.x);
-    let at_4 = (((start_5 + _e6) + (y_1 * _e9)) + (x_9 / 2u));
+    let at_5 = (((start_5 + _e6) + (y_1 * _e9)) + (x_9 / 2u));
     // glimt_light_cells/src/partition.rs:155
-    let _e18 = env_tables[at_4];
+    let _e18 = env_tables[at_5];
     return ((_e18 >> ((16u * (x_9 & 1u)) & 31u)) & 65535u);
 }
 
 // glimt_light_cells/src/partition.rs:207
-fn LightCells_pmf(size_10: vec2<u32>, start_6: u32, row_1: Bin, texel: vec2<u32>, first_5: u32) -> f32 {
-    var chosen_17: u32;
+fn LightCells_pmf(size_10: vec2<u32>, start_6: u32, row_1: Bin, texel: vec2<u32>, first_6: u32) -> f32 {
+    var chosen_16: u32;
 
     // glimt_light_cells/src/partition.rs:208
-    if (texel.x > first_5) {
+    if (texel.x > first_6) {
         // glimt_light_cells/src/partition.rs:209
         let _e15 = LightCells_column_edge(size_10, start_6, (texel.x - 1u), texel.y);
-        chosen_17 = _e15;
+        chosen_16 = _e15;
     } else {
         // glimt_light_cells/src/partition.rs:211
-        chosen_17 = 0u;
+        chosen_16 = 0u;
     }
-    let lower_1 = chosen_17;
+    let lower_1 = chosen_16;
     // glimt_light_cells/src/partition.rs:213
     let _e22 = LightCells_column_edge(size_10, start_6, texel.x, texel.y);
     let units = (_e22 - lower_1);
@@ -3089,7 +3167,7 @@ fn LightCells_pmf(size_10: vec2<u32>, start_6: u32, row_1: Bin, texel: vec2<u32>
 
 // glimt_light_cells/src/partition.rs:161
 fn LightCells_sample(size_11: vec2<u32>, start_7: u32, cell_3: u32, u_6: vec2<u32>) -> TexelDraw {
-    var at_1: u32;
+    var at_2: u32;
     var left_1: u32;
 
     // glimt_light_cells/src/partition.rs:162
@@ -3099,7 +3177,7 @@ fn LightCells_sample(size_11: vec2<u32>, start_7: u32, cell_3: u32, u_6: vec2<u3
     // glimt_light_cells/src/partition.rs:164
     let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_6.y >> 1u));
     // glimt_light_cells/src/partition.rs:170
-    let y_4 = (_e8.x + _e18.index);
+    let y_6 = (_e8.x + _e18.index);
     // glimt_light_cells/src/partition.rs:171
     let column_3 = (cell_3 % 32u);
     // glimt_light_cells/src/partition.rs:172
@@ -3107,7 +3185,7 @@ fn LightCells_sample(size_11: vec2<u32>, start_7: u32, cell_3: u32, u_6: vec2<u3
     // glimt_light_cells/src/partition.rs:174
     let _e31 = column_unit(u_6.x);
     // glimt_light_cells/src/partition.rs:175
-    at_1 = _e28;
+    at_2 = _e28;
     // glimt_light_cells/src/partition.rs:176
     let _e38 = first_column((column_3 + 1u), size_11.x);
     left_1 = (_e38 - _e28);
@@ -3121,66 +3199,66 @@ fn LightCells_sample(size_11: vec2<u32>, start_7: u32, cell_3: u32, u_6: vec2<u3
         let _e47 = left_1;
         let half_1 = (_e47 / 2u);
         // glimt_light_cells/src/partition.rs:179
-        let _e51 = at_1;
-        let _e55 = LightCells_column_edge(size_11, start_7, ((_e51 + half_1) - 1u), y_4);
+        let _e51 = at_2;
+        let _e55 = LightCells_column_edge(size_11, start_7, ((_e51 + half_1) - 1u), y_6);
         if (_e55 <= _e31) {
             // glimt_light_cells/src/partition.rs:180
-            let _e58 = at_1;
-            at_1 = (_e58 + half_1);
+            let _e58 = at_2;
+            at_2 = (_e58 + half_1);
         }
         // glimt_light_cells/src/partition.rs:182
         let _e61 = left_1;
         left_1 = (_e61 - half_1);
     }
     // glimt_light_cells/src/partition.rs:184
-    let _e64 = at_1;
-    let _e66 = at_1;
-    let _e68 = LightCells_pmf(size_11, start_7, _e18, vec2<u32>(_e66, y_4), _e28);
-    return TexelDraw(vec2<u32>(_e64, y_4), _e68);
+    let _e64 = at_2;
+    let _e66 = at_2;
+    let _e68 = LightCells_pmf(size_11, start_7, _e18, vec2<u32>(_e66, y_6), _e28);
+    return TexelDraw(vec2<u32>(_e64, y_6), _e68);
 }
 
 // glimt_probe/src/trig.rs:25
 fn cos_sin_pi(x_10: f32) -> vec2<f32> {
-    var chosen_18: vec2<f32>;
+    var chosen_17: vec2<f32>;
 
     // glimt_probe/src/trig.rs:27
     let quarter = floor(((2f * x_10) + 0.5f));
     // glimt_probe/src/trig.rs:28
-    let y_5 = (x_10 - (0.5f * quarter));
+    let y_7 = (x_10 - (0.5f * quarter));
     // glimt_probe/src/trig.rs:29
-    let y2_ = (y_5 * y_5);
+    let y2_1 = (y_7 * y_7);
     // glimt_probe/src/trig.rs:31
-    let c_6 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    let c_4 = (1f + (y2_1 * (-4.934802f + (y2_1 * (4.058712f + (y2_1 * (-1.3352627f + (y2_1 * (0.23533063f + (y2_1 * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
-    let s_4 = (y_5 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    let s_4 = (y_7 * (3.1415927f + (y2_1 * (-5.1677127f + (y2_1 * (2.550164f + (y2_1 * (-0.5992645f + (y2_1 * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_18 = vec2<f32>(c_6, (s_4 + 0f));
+        chosen_17 = vec2<f32>(c_4, (s_4 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_18 = vec2<f32>((0f - s_4), c_6);
+            chosen_17 = vec2<f32>((0f - s_4), c_4);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_18 = vec2<f32>((0f - c_6), (0f - s_4));
+                chosen_17 = vec2<f32>((0f - c_4), (0f - s_4));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_18 = vec2<f32>((s_4 + 0f), (0f - c_6));
+                chosen_17 = vec2<f32>((s_4 + 0f), (0f - c_4));
             }
         }
     }
-    let _e77 = chosen_18;
+    let _e77 = chosen_17;
     return _e77;
 }
 
 // glimt_probe/src/latlong.rs:142
 fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> vec3<f32> {
+    var chosen_18: u32;
     var chosen_19: u32;
-    var chosen_20: u32;
-    var chosen_21: f32;
+    var chosen_20: f32;
 
     // glimt_probe/src/latlong.rs:143
     let size_13 = max(size_12, vec2(1u));
@@ -3190,18 +3268,18 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
     let southern = ((2u * row_4) >= size_13.y);
     // glimt_probe/src/latlong.rs:147
     if southern {
-        chosen_19 = (size_13.y - row_4);
+        chosen_18 = (size_13.y - row_4);
     } else {
-        chosen_19 = row_4;
+        chosen_18 = row_4;
     }
-    let upper_1 = chosen_19;
+    let upper_1 = chosen_18;
     // glimt_probe/src/latlong.rs:148
     if southern {
-        chosen_20 = ((size_13.y - row_4) - 1u);
+        chosen_19 = ((size_13.y - row_4) - 1u);
     } else {
-        chosen_20 = (row_4 + 1u);
+        chosen_19 = (row_4 + 1u);
     }
-    let lower_2 = chosen_20;
+    let lower_2 = chosen_19;
     // glimt_probe/src/latlong.rs:149
     let half_2 = (0.5f / f32(size_13.y));
     // glimt_probe/src/latlong.rs:150
@@ -3219,12 +3297,12 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
     // glimt_probe/src/latlong.rs:155
     if southern {
         // glimt_probe/src/latlong.rs:156
-        chosen_21 = ((2f * s_5) - 1f);
+        chosen_20 = ((2f * s_5) - 1f);
     } else {
         // glimt_probe/src/latlong.rs:158
-        chosen_21 = (1f - (2f * s_5));
+        chosen_20 = (1f - (2f * s_5));
     }
-    let cos_theta = chosen_21;
+    let cos_theta = chosen_20;
     // glimt_probe/src/latlong.rs:160
     let _e90 = cos_sin_pi((1f - ((2f * (f32(texel_1.x) + r.x)) / f32(size_13.x))));
     // glimt_probe/src/latlong.rs:161
@@ -3239,24 +3317,24 @@ fn CellAt_new(lane: u32, weight: vec4<f32>, flux_4: vec4<f32>, terms_5: CellTerm
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:413
-fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_from_2: u32, expected_turned_2: u32) -> CellDraw {
+fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_from_2: u32, expected_turned_2: u32) -> CellDraw {
     var self_: Proposal;
     var row_place: Place;
-    var counter_6: u32;
-    var quad_place: Place;
     var counter_7: u32;
+    var quad_place: Place;
+    var counter_8: u32;
     var cell_place: Place;
 
-    self_ = this_36;
+    self_ = this_39;
     // glimt_render_gpu/src/kernels/proposal.rs:420
     let _e10 = unit_f32_(u_7.y);
     let _e12 = self_.total;
     let _e14 = Place_new((_e10 * _e12));
     row_place = _e14;
     // glimt_render_gpu/src/kernels/proposal.rs:421
-    counter_6 = 0u;
+    counter_7 = 0u;
     loop {
-        let row_5 = counter_6;
+        let row_5 = counter_7;
         if (row_5 >= 16u) {
             break;
         }
@@ -3264,13 +3342,13 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
         let _e25 = self_.rows[row_5];
         Place_offer((&row_place), row_5, _e25);
         continuing {
-            let _e26 = counter_6;
-            counter_6 = (_e26 + 1u);
+            let _e26 = counter_7;
+            counter_7 = (_e26 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:424
     let _e31 = row_place.index;
-    let first_9 = (_e31 * 8u);
+    let first_10 = (_e31 * 8u);
     // glimt_render_gpu/src/kernels/proposal.rs:425
     let _e36 = unit_f32_(u_7.x);
     let _e38 = row_place.width;
@@ -3279,18 +3357,18 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     let _e41 = Place_new(target_1);
     quad_place = _e41;
     // glimt_render_gpu/src/kernels/proposal.rs:427
-    counter_7 = first_9;
+    counter_8 = first_10;
     loop {
-        let quad_9 = counter_7;
-        if (quad_9 >= (first_9 + 8u)) {
+        let quad_9 = counter_8;
+        if (quad_9 >= (first_10 + 8u)) {
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:428
         let _e52 = self_.quads[quad_9];
         Place_offer((&quad_place), quad_9, _e52);
         continuing {
-            let _e53 = counter_7;
-            counter_7 = (_e53 + 1u);
+            let _e53 = counter_8;
+            counter_8 = (_e53 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:430
@@ -3349,22 +3427,22 @@ fn Proposal_sample_cells(this_36: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     return CellDraw(_e148, _e146, _e133.texel, cell_5);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:73
-fn any_hit(ray_12: Ray, t_max_2: f32) -> bool {
+// glimt_render_gpu/src/kernels/bvh.rs:108
+fn any_hit(ray_13: Ray, t_max_2: f32) -> bool {
     var t_5: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:80
+    // glimt_render_gpu/src/kernels/bvh.rs:115
     t_5 = t_max_2;
-    // glimt_render_gpu/src/kernels/bvh.rs:81
-    let _e7 = traverse(ray_12, (&t_5), true);
+    // glimt_render_gpu/src/kernels/bvh.rs:116
+    let _e7 = traverse(ray_13, (&t_5), true);
     return (_e7 != 4294967295u);
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:136
-fn Scene_is_lit(point: ShadingPoint, direction_3: vec3<f32>, key_4: u32) -> bool {
+fn Scene_is_lit(point: ShadingPoint, direction_2: vec3<f32>, key_4: u32) -> bool {
 
     // glimt_render_gpu/src/kernels/scene.rs:137
-    let _e6 = Ray_keyed(point.origin, direction_3, key_4);
+    let _e6 = Ray_keyed(point.origin, direction_2, key_4);
     // glimt_render_gpu/src/kernels/scene.rs:138
     let _e9 = any_hit(_e6, 0x1.fffffep+127f);
     return !(_e9);
@@ -3372,26 +3450,26 @@ fn Scene_is_lit(point: ShadingPoint, direction_3: vec3<f32>, key_4: u32) -> bool
 
 // glimt_render_gpu/src/kernels/cell_state.rs:129
 fn counted(n_4: u32, s_1: u32, arrives: u32) -> u32 {
+    var chosen_21: u32;
     var chosen_22: u32;
-    var chosen_23: u32;
 
     // glimt_render_gpu/src/kernels/cell_state.rs:130
     let is_full = (n_4 >= 255u);
     // glimt_render_gpu/src/kernels/cell_state.rs:132
     if is_full {
-        chosen_22 = (n_4 / 2u);
+        chosen_21 = (n_4 / 2u);
     } else {
-        chosen_22 = n_4;
+        chosen_21 = n_4;
     }
-    let _e11 = chosen_22;
+    let _e11 = chosen_21;
     let n_6 = (_e11 + 1u);
     // glimt_render_gpu/src/kernels/cell_state.rs:133
     if is_full {
-        chosen_23 = (s_1 / 2u);
+        chosen_22 = (s_1 / 2u);
     } else {
-        chosen_23 = s_1;
+        chosen_22 = s_1;
     }
-    let _e18 = chosen_23;
+    let _e18 = chosen_22;
     let s_6 = (_e18 + arrives);
     // glimt_render_gpu/src/kernels/cell_state.rs:134
     return (n_6 | (s_6 << 8u));
@@ -3399,7 +3477,7 @@ fn counted(n_4: u32, s_1: u32, arrives: u32) -> u32 {
 
 // glimt_render_gpu/src/kernels/cell_state.rs:140
 fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
-    var chosen_24: u32;
+    var chosen_23: u32;
 
     // glimt_render_gpu/src/kernels/cell_state.rs:141
     let shift = (16u * (cell_4 & 1u));
@@ -3407,11 +3485,11 @@ fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
     let own_2 = ((word_6 >> (shift & 31u)) & 65535u);
     // glimt_render_gpu/src/kernels/cell_state.rs:143
     if arrives_1 {
-        chosen_24 = 1u;
+        chosen_23 = 1u;
     } else {
-        chosen_24 = 0u;
+        chosen_23 = 0u;
     }
-    let _e23 = chosen_24;
+    let _e23 = chosen_23;
     let _e24 = counted((own_2 & 255u), (own_2 >> 8u), _e23);
     // glimt_render_gpu/src/kernels/cell_state.rs:144
     return ((word_6 & ~((65535u << (shift & 31u)))) | (_e24 << (shift & 31u)));
@@ -3419,31 +3497,31 @@ fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
 
 // glimt_render_gpu/src/kernels/pilot.rs:28
 fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, counts_start: u32, counts_len: u32) {
-    var counter_8: u32;
     var counter_9: u32;
     var counter_10: u32;
-    var seen: SeenPoint;
-    var proposal: Proposal;
-    var chosen_25: u32;
     var counter_11: u32;
+    var seen_1: SeenPoint;
+    var proposal: Proposal;
+    var chosen_24: u32;
+    var counter_12: u32;
     var borrowed_4: PatternSource;
 
     // glimt_render_gpu/src/kernels/pilot.rs:38
-    let first_10 = (tile_1 * 3u);
+    let first_11 = (tile_1 * 3u);
     // glimt_render_gpu/src/kernels/pilot.rs:39
-    counter_8 = 0u;
+    counter_9 = 0u;
     loop {
-        let slot_1 = counter_8;
+        let slot_1 = counter_9;
         if (slot_1 >= 3u) {
             break;
         }
         // glimt_render_gpu/src/kernels/pilot.rs:40
-        let _e20 = entries[(first_10 + slot_1)];
+        let _e20 = entries[(first_11 + slot_1)];
         let _e22 = TileEntry_remembered(_e20, cells.turned);
         // glimt_render_gpu/src/kernels/pilot.rs:41
-        counter_9 = 0u;
+        counter_10 = 0u;
         loop {
-            let word_9 = counter_9;
+            let word_9 = counter_10;
             if (word_9 >= 256u) {
                 break;
             }
@@ -3451,13 +3529,13 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
             let _e32 = Remembered_word(_e22.value_from, _e22.value_turned, word_9);
             counts[(counts_start + ((slot_1 * 256u) + word_9))] = _e32;
             continuing {
-                let _e39 = counter_9;
-                counter_9 = (_e39 + 1u);
+                let _e39 = counter_10;
+                counter_10 = (_e39 + 1u);
             }
         }
         continuing {
-            let _e42 = counter_8;
-            counter_8 = (_e42 + 1u);
+            let _e42 = counter_9;
+            counter_9 = (_e42 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/pilot.rs:45
@@ -3475,53 +3553,53 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
     // glimt_render_gpu/src/kernels/pilot.rs:49
     let _e74 = Environment_cells(env_size_1, env_rotation_1);
     // glimt_render_gpu/src/kernels/pilot.rs:50
-    counter_10 = 0u;
+    counter_11 = 0u;
     loop {
-        let i_2 = counter_10;
-        if (i_2 >= 64u) {
+        let i_3 = counter_11;
+        if (i_3 >= 64u) {
             break;
         }
         // glimt_render_gpu/src/kernels/pilot.rs:52
-        let place_5 = (reverseBits(i_2) >> ((32u - 6u) & 31u));
+        let place_5 = (reverseBits(i_3) >> ((32u - 6u) & 31u));
         // glimt_render_gpu/src/kernels/pilot.rs:53
         let pixel_4 = ((((_e46.y + ((place_5 / columns_1) * 2u)) * frame_4.width) + _e46.x) + ((place_5 % columns_1) * 2u));
         // glimt_render_gpu/src/kernels/pilot.rs:55
         let _e107 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
         // glimt_render_gpu/src/kernels/pilot.rs:56
-        seen = SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
+        seen_1 = SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
         // glimt_render_gpu/src/kernels/pilot.rs:57
         if (place_5 < (columns_1 * rows_3)) {
             // glimt_render_gpu/src/kernels/pilot.rs:58
             let _e136 = see_by(_e107, frame_4);
-            seen = _e136;
+            seen_1 = _e136;
         }
         // glimt_render_gpu/src/kernels/pilot.rs:60
-        let _e139 = seen.surface;
-        let _e140 = slot_of(_e139, first_10);
+        let _e139 = seen_1.surface;
+        let _e140 = slot_of(_e139, first_11);
         // glimt_render_gpu/src/kernels/pilot.rs:61
-        let _e142 = seen;
+        let _e142 = seen_1;
         let _e143 = SeenPoint_is_hit(_e142);
         if (_e143 && (_e140 > 0u)) {
             // glimt_render_gpu/src/kernels/pilot.rs:62
-            let entry = entries[((first_10 + _e140) - 1u)];
+            let entry = entries[((first_11 + _e140) - 1u)];
             // glimt_render_gpu/src/kernels/pilot.rs:63
             let base_2 = ((_e140 - 1u) * 256u);
             // glimt_render_gpu/src/kernels/pilot.rs:64
             let _e161 = TileEntry_remembered(entry, cells.turned);
             // glimt_render_gpu/src/kernels/pilot.rs:65
-            let _e165 = seen;
+            let _e165 = seen_1;
             let _e166 = SeenPoint_shading_point(_e165);
             // glimt_render_gpu/src/kernels/pilot.rs:66
-            let _e169 = seen.normal;
-            let _e171 = seen.wo;
-            let _e173 = seen.diffuse;
+            let _e169 = seen_1.normal;
+            let _e171 = seen_1.wo;
+            let _e173 = seen_1.diffuse;
             let _e174 = luminance(_e173);
-            let _e176 = seen.specular;
+            let _e176 = seen_1.specular;
             let _e177 = luminance(_e176);
-            let _e179 = seen.exponent;
+            let _e179 = seen_1.exponent;
             let _e180 = Representative_alone(_e169, _e171, _e174, _e177, _e179, env_size_1, env_rotation_1);
             // glimt_render_gpu/src/kernels/pilot.rs:74
-            let _e182 = seen;
+            let _e182 = seen_1;
             let _e183 = SeenPoint_is_catcher(_e182);
             let _e184 = Proposal_new(_e180, _e74.value_size, _e74.value_start, _e161.value_from, _e161.value_turned, _e183);
             proposal = _e184;
@@ -3531,16 +3609,16 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
             let _e192 = proposal.total;
             if (_e192 > 0f) {
                 // glimt_render_gpu/src/kernels/pilot.rs:77
-                chosen_25 = entry.pilots;
+                chosen_24 = entry.pilots;
             } else {
                 // glimt_render_gpu/src/kernels/pilot.rs:79
-                chosen_25 = 0u;
+                chosen_24 = 0u;
             }
-            let rays = chosen_25;
+            let rays = chosen_24;
             // glimt_render_gpu/src/kernels/pilot.rs:81
-            counter_11 = 0u;
+            counter_12 = 0u;
             loop {
-                let s_7 = counter_11;
+                let s_7 = counter_12;
                 if (s_7 >= rays) {
                     break;
                 }
@@ -3558,21 +3636,21 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
                     // glimt_render_gpu/src/kernels/pilot.rs:87
                     let _e229 = Scene_is_lit(_e166, _e215, (_e188 + s_7));
                     // glimt_render_gpu/src/kernels/pilot.rs:88
-                    let at_5 = (base_2 + (_e212.cell / 2u));
+                    let at_6 = (base_2 + (_e212.cell / 2u));
                     // glimt_render_gpu/src/kernels/pilot.rs:89
-                    let _e239 = counts[(counts_start + at_5)];
+                    let _e239 = counts[(counts_start + at_6)];
                     let _e241 = count_2(_e239, _e212.cell, _e229);
-                    counts[(counts_start + at_5)] = _e241;
+                    counts[(counts_start + at_6)] = _e241;
                 }
                 continuing {
-                    let _e245 = counter_11;
-                    counter_11 = (_e245 + 1u);
+                    let _e245 = counter_12;
+                    counter_12 = (_e245 + 1u);
                 }
             }
         }
         continuing {
-            let _e248 = counter_10;
-            counter_10 = (_e248 + 1u);
+            let _e248 = counter_11;
+            counter_11 = (_e248 + 1u);
         }
     }
     return;

@@ -1,12 +1,13 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct Triangle {
-    v0_: vec3<f32>,
+    x: vec4<f32>,
+    y: vec4<f32>,
+    z: vec4<f32>,
     material: u32,
-    v1_: vec3<f32>,
     object: u32,
-    v2_: vec3<f32>,
     attributes: u32,
+    run: u32,
 }
 
 struct Corner {
@@ -167,6 +168,27 @@ var<storage> surface_reflections: array<f32>;
 @group(0) @binding(6) 
 var<storage> surface_lights: array<VertexLight>;
 
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_a(this_: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return vec3<f32>(this_.x.x, this_.y.x, this_.z.x);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:71
+fn Triangle_b(this_1: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    return vec3<f32>(this_1.x.y, this_1.y.y, this_1.z.y);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:78
+fn Triangle_c(this_2: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:79
+    return vec3<f32>(this_2.x.z, this_2.y.z, this_2.z.z);
+}
+
 // glimt_render_gpu/src/kernels/raster.rs:59
 fn corner_position(corner: u32) -> vec3<f32> {
     var chosen: vec3<f32>;
@@ -177,14 +199,17 @@ fn corner_position(corner: u32) -> vec3<f32> {
     let _e10 = (corner % 3u);
     if (_e10 == 0u) {
         // glimt_render_gpu/src/kernels/raster.rs:62
-        chosen = triangle_3.v0_;
+        let _e15 = Triangle_a(triangle_3);
+        chosen = _e15;
     } else {
         if (_e10 == 1u) {
             // glimt_render_gpu/src/kernels/raster.rs:63
-            chosen = triangle_3.v1_;
+            let _e19 = Triangle_b(triangle_3);
+            chosen = _e19;
         } else {
             // glimt_render_gpu/src/kernels/raster.rs:64
-            chosen = triangle_3.v2_;
+            let _e21 = Triangle_c(triangle_3);
+            chosen = _e21;
         }
     }
     let _e22 = chosen;
@@ -222,11 +247,11 @@ fn clip_position(frame: FrameParams, near: f32, p: vec3<f32>) -> vec4<f32> {
     return vec4<f32>((dot(d_3, frame.right) / dot(frame.right, frame.right)), (dot(d_3, frame.up) / dot(frame.up, frame.up)), near, dot(d_3, frame.forward));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:45
-fn Triangle_is_catcher(this_: Triangle) -> bool {
+// glimt_render_gpu/src/kernels/triangle.rs:85
+fn Triangle_is_catcher(this_3: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:46
-    return ((this_.object & 2147483648u) != 0u);
+    // glimt_render_gpu/src/kernels/triangle.rs:86
+    return ((this_3.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/raster.rs:82
@@ -243,11 +268,11 @@ fn corner_near(corner_2: u32, near_1: f32) -> f32 {
     return near_1;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:59
-fn Triangle_is_see_through(this_1: Triangle) -> bool {
+// glimt_render_gpu/src/kernels/triangle.rs:99
+fn Triangle_is_see_through(this_4: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:60
-    return ((this_1.object & 1073741824u) != 0u);
+    // glimt_render_gpu/src/kernels/triangle.rs:100
+    return ((this_4.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -311,10 +336,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_1: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_2: TextureView) -> bool {
+fn TextureView_exists(this_5: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_2.width > 0u);
+    return (this_5.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -359,11 +384,11 @@ fn neighbour(index_1: i32, size: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_3: TextureView, index_2: u32) -> vec4<f32> {
+fn TextureView_texel(this_6: TextureView, index_2: u32) -> vec4<f32> {
     var chosen_2: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_4 = scene_surface[(this_3.first + index_2)];
+    let word_4 = scene_surface[(this_6.first + index_2)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -373,7 +398,7 @@ fn TextureView_texel(this_3: TextureView, index_2: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_3.flags & 1u) != 0u) {
+    if ((this_6.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r];
         let _e42 = scene_surface[g];
@@ -388,40 +413,40 @@ fn TextureView_texel(this_3: TextureView, index_2: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_4: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_7: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_4.flags >> 1u) & 3u);
+    let wrap_u = ((this_7.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_4.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_7.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_3 = ((_e21 * f32(this_4.width)) - 0.5f);
+    let x_3 = ((_e21 * f32(this_7.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y = ((_e29 * f32(this_4.height)) - 0.5f);
+    let y = ((_e29 * f32(this_7.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_3), floor(y));
     let left = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left), this_4.width, wrap_u);
+    let _e44 = neighbour(i32(left), this_7.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left) + 1i), this_4.width, wrap_u);
+    let _e50 = neighbour((i32(left) + 1i), this_7.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_4.height, wrap_v);
-    let row0_ = (_e54 * this_4.width);
+    let _e54 = neighbour(i32(top), this_7.height, wrap_v);
+    let row0_ = (_e54 * this_7.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_4.height, wrap_v);
-    let row1_ = (_e62 * this_4.width);
+    let _e62 = neighbour((i32(top) + 1i), this_7.height, wrap_v);
+    let row1_ = (_e62 * this_7.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_4, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_4, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_7, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_7, (row0_ + _e50));
     let _e70 = (x_3 - left);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_4, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_4, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_7, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_7, (row1_ + _e50));
     let _e81 = (x_3 - left);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -548,20 +573,20 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:146
-fn PixelPattern_key(this_5: PixelPattern, purpose: u32) -> u32 {
+fn PixelPattern_key(this_8: PixelPattern, purpose: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:147
-    let _e5 = hash2_(this_5.seed, purpose);
-    let _e8 = hash3_(_e5, this_5.frame, this_5.pixel);
+    let _e5 = hash2_(this_8.seed, purpose);
+    let _e8 = hash3_(_e5, this_8.frame, this_8.pixel);
     return _e8;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PixelPattern_ray_key(this_6: PixelPattern, purpose_1: u32) -> u32 {
+fn PixelPattern_ray_key(this_9: PixelPattern, purpose_1: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e4 = PixelPattern_key(this_6, purpose_1);
-    let _e6 = hash2_(_e4, this_6.ray);
+    let _e4 = PixelPattern_key(this_9, purpose_1);
+    let _e6 = hash2_(_e4, this_9.ray);
     return _e6;
 }
 
@@ -640,25 +665,29 @@ fn Ray_new(origin_1: vec3<f32>, direction_1: vec3<f32>) -> Ray {
     return _e5;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_7: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:140
+fn Triangle_area_normal(this_10: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_7.v1_ - this_7.v0_), (this_7.v2_ - this_7.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:141
+    let _e3 = Triangle_b(this_10);
+    let _e4 = Triangle_a(this_10);
+    let _e6 = Triangle_c(this_10);
+    let _e7 = Triangle_a(this_10);
+    return cross((_e3 - _e4), (_e6 - _e7));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:88
-fn Triangle_outward(this_8: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:128
+fn Triangle_outward(this_11: Triangle) -> vec3<f32> {
     var chosen_5: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:89
-    let _e3 = Triangle_area_normal(this_8);
-    // glimt_render_gpu/src/kernels/triangle.rs:90
-    if ((this_8.object & 536870912u) != 0u) {
-        // glimt_render_gpu/src/kernels/triangle.rs:91
+    // glimt_render_gpu/src/kernels/triangle.rs:129
+    let _e3 = Triangle_area_normal(this_11);
+    // glimt_render_gpu/src/kernels/triangle.rs:130
+    if ((this_11.object & 536870912u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:131
         chosen_5 = -(_e3);
     } else {
-        // glimt_render_gpu/src/kernels/triangle.rs:93
+        // glimt_render_gpu/src/kernels/triangle.rs:133
         chosen_5 = _e3;
     }
     let _e14 = chosen_5;
@@ -741,20 +770,20 @@ fn ShadingFrame_from_normal(n_1: vec3<f32>) -> ShadingFrame {
     return ShadingFrame(vec3<f32>((1f + (((sign_ * n_1.x) * n_1.x) * a_2)), (sign_ * c_1), (-(sign_) * n_1.x)), vec3<f32>(c_1, (sign_ + ((n_1.y * n_1.y) * a_2)), -(n_1.y)), n_1);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_9: Triangle) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:106
+fn Triangle_ray_offset(this_12: Triangle) -> f32 {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_9.v0_), abs(this_9.v1_)), abs(this_9.v2_));
-    // glimt_render_gpu/src/kernels/triangle.rs:68
-    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:107
+    let extent = max(max(abs(this_12.x), abs(this_12.y)), abs(this_12.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:108
+    return (0.0000038146973f * max(max(max(extent.x, extent.y), extent.z), extent.w));
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_10: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_13: ShadingFrame, v_3: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_3, this_10.t), dot(v_3, this_10.b), dot(v_3, this_10.n));
+    return vec3<f32>(dot(v_3, this_13.t), dot(v_3, this_13.b), dot(v_3, this_13.n));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:186
@@ -966,15 +995,20 @@ fn Scene_shading_point(ray: Ray, hit: Hit) -> ShadingPoint {
     // glimt_render_gpu/src/kernels/scene.rs:121
     let _e133 = ShadingFrame_from_normal(_e117);
     // glimt_render_gpu/src/kernels/scene.rs:122
-    let edges = (((triangle_4.v1_ - triangle_4.v0_) * u_4) + ((triangle_4.v2_ - triangle_4.v0_) * v_6));
+    let _e135 = Triangle_b(triangle_4);
+    let _e136 = Triangle_a(triangle_4);
+    let _e139 = Triangle_c(triangle_4);
+    let _e140 = Triangle_a(triangle_4);
+    let edges = (((_e135 - _e136) * u_4) + ((_e139 - _e140) * v_6));
     // glimt_render_gpu/src/kernels/scene.rs:123
+    let _e145 = Triangle_a(triangle_4);
     let _e147 = Triangle_ray_offset(triangle_4);
     let _e150 = ShadingFrame_to_local(_e133, to_eye_1);
     let _e151 = vertex_color_3;
     let _e152 = MaterialView_brdf(_e86.value_words_start, _e86.value_words_len, uv_7, _e151);
     let _e153 = vertex_color_3;
     let _e154 = MaterialView_emission(_e86.value_words_start, _e86.value_words_len, uv_7, _e153);
-    return ShadingPoint(((triangle_4.v0_ + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
+    return ShadingPoint(((_e145 + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
 }
 
 // glimt_render_gpu/src/kernels/prt.rs:113
@@ -1001,11 +1035,11 @@ fn Surface_light_at(hit_1: Hit) -> VertexLight {
     return VertexLight((((a_4.lit * w_2) + (b_5.lit * u_5)) + (c_3.lit * v_7)), 0f, (((a_4.blocked * w_2) + (b_5.blocked * u_5)) + (c_3.blocked * v_7)), 0f);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:52
-fn Triangle_object_index(this_11: Triangle) -> u32 {
+// glimt_render_gpu/src/kernels/triangle.rs:92
+fn Triangle_object_index(this_14: Triangle) -> u32 {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:53
-    return (this_11.object & 536870911u);
+    // glimt_render_gpu/src/kernels/triangle.rs:93
+    return (this_14.object & 536870911u);
 }
 
 // glimt_render_gpu/src/kernels/prt.rs:131
@@ -1030,10 +1064,10 @@ fn diffuse(albedo: vec3<f32>, lit: vec3<f32>, blocked: vec3<f32>) -> Reflected {
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_12: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_15: ShadingFrame, v_4: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_12.t * v_4.x) + (this_12.b * v_4.y)) + (this_12.n * v_4.z));
+    return (((this_15.t * v_4.x) + (this_15.b * v_4.y)) + (this_15.n * v_4.z));
 }
 
 // glimt_probe/src/rotate.rs:33
@@ -1204,7 +1238,12 @@ fn draw(triangle_2: u32, weights_1: vec2<f32>, raster_1: RasterParams) -> Drawn 
     // glimt_render_gpu/src/kernels/raster.rs:162
     let at_1 = scene_triangles[triangle_2];
     // glimt_render_gpu/src/kernels/raster.rs:163
-    let p_2 = ((at_1.v0_ + ((at_1.v1_ - at_1.v0_) * u_7)) + ((at_1.v2_ - at_1.v0_) * v_10));
+    let _e20 = Triangle_a(at_1);
+    let _e21 = Triangle_b(at_1);
+    let _e22 = Triangle_a(at_1);
+    let _e26 = Triangle_c(at_1);
+    let _e27 = Triangle_a(at_1);
+    let p_2 = ((_e20 + ((_e21 - _e22) * u_7)) + ((_e26 - _e27) * v_10));
     // glimt_render_gpu/src/kernels/raster.rs:164
     let to_point = (p_2 - raster_1.frame.eye);
     // glimt_render_gpu/src/kernels/raster.rs:165

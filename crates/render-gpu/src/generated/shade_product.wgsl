@@ -1,19 +1,23 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
-    min: vec3<f32>,
-    count: u32,
-    max: vec3<f32>,
-    first: u32,
+    min_x: vec4<f32>,
+    min_y: vec4<f32>,
+    min_z: vec4<f32>,
+    max_x: vec4<f32>,
+    max_y: vec4<f32>,
+    max_z: vec4<f32>,
+    children: array<u32, 4>,
 }
 
 struct Triangle {
-    v0_: vec3<f32>,
+    x: vec4<f32>,
+    y: vec4<f32>,
+    z: vec4<f32>,
     material: u32,
-    v1_: vec3<f32>,
     object: u32,
-    v2_: vec3<f32>,
     attributes: u32,
+    run: u32,
 }
 
 struct SeenPoint {
@@ -274,6 +278,36 @@ struct Ray {
     key: u32,
 }
 
+struct Tuple_f32_f32_f32_ {
+    fa: f32,
+    fb: f32,
+    fc: f32,
+}
+
+struct Met {
+    children: u32,
+    distances: array<f32, 4>,
+}
+
+struct Tuple_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+}
+
+struct Tuple_Vec4_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+    fc: vec4<f32>,
+}
+
+struct Seen {
+    a: vec3<f32>,
+    edge_x: vec4<f32>,
+    edge_y: vec4<f32>,
+    edge_z: vec4<f32>,
+    functions: vec4<f32>,
+}
+
 struct Attributes {
     uv: vec2<f32>,
     color: vec4<f32>,
@@ -428,20 +462,20 @@ fn next_group(points_start: u32, points_len: u32, from_: ptr<function, u32>, fir
         let _e52 = leader_1;
         counter = _e52;
         loop {
-            let ray_12 = counter;
-            if (ray_12 >= points_len) {
+            let ray_13 = counter;
+            if (ray_13 >= points_len) {
                 break;
             }
             // glimt_render_gpu/src/kernels/groups.rs:94
-            let _e60 = points[(points_start + ray_12)];
+            let _e60 = points[(points_start + ray_13)];
             let _e61 = belongs(own, _e60);
             if _e61 {
                 // glimt_render_gpu/src/kernels/groups.rs:95
                 let _e63 = members;
-                points[(points_start + (first + _e63))].order = ray_12;
+                points[(points_start + (first + _e63))].order = ray_13;
                 // glimt_render_gpu/src/kernels/groups.rs:96
-                let _e75 = points[(points_start + ray_12)].flags;
-                points[(points_start + ray_12)].flags = (_e75 | 1u);
+                let _e75 = points[(points_start + ray_13)].flags;
+                points[(points_start + ray_13)].flags = (_e75 | 1u);
                 // glimt_render_gpu/src/kernels/groups.rs:97
                 let _e79 = members;
                 members = (_e79 + 1u);
@@ -651,12 +685,12 @@ fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
 fn LightCells_quad(size_2: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
     // glimt_light_cells/src/partition.rs:112
-    let at_4 = (((start + 32u) + (list * 512u)) + (4u * quad));
+    let at_5 = (((start + 32u) + (list * 512u)) + (4u * quad));
     // glimt_light_cells/src/partition.rs:113
-    let _e16 = env_tables[at_4];
-    let _e22 = env_tables[(at_4 + 1u)];
-    let _e28 = env_tables[(at_4 + 2u)];
-    let _e34 = env_tables[(at_4 + 3u)];
+    let _e16 = env_tables[at_5];
+    let _e22 = env_tables[(at_5 + 1u)];
+    let _e28 = env_tables[(at_5 + 2u)];
+    let _e34 = env_tables[(at_5 + 3u)];
     return vec4<f32>(bitcast<f32>(_e16), bitcast<f32>(_e22), bitcast<f32>(_e28), bitcast<f32>(_e34));
 }
 
@@ -717,17 +751,17 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     // glimt_light_cells/src/surface.rs:178
     let n_3 = surface.normal;
     // glimt_light_cells/src/surface.rs:179
-    let c_2 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
+    let c_1 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
     // glimt_light_cells/src/surface.rs:180
-    let reach_2 = (_e20 + vec4(surface.horizon));
+    let reach_3 = (_e20 + vec4(surface.horizon));
     // glimt_light_cells/src/surface.rs:181
-    let up = max((c_2 + reach_2), vec4(0f));
+    let up = max((c_1 + reach_3), vec4(0f));
     // glimt_light_cells/src/surface.rs:182
     let _e42 = step_(up);
     // glimt_light_cells/src/surface.rs:183
-    let _e45 = step_((c_2 - reach_2));
+    let _e45 = step_((c_1 - reach_3));
     // glimt_light_cells/src/surface.rs:184
-    let cosine = max(c_2, vec4(0f));
+    let cosine = max(c_1, vec4(0f));
     // glimt_light_cells/src/surface.rs:185
     let half_spread = vec4((0.5f * surface.spread));
     // glimt_light_cells/src/surface.rs:186
@@ -738,15 +772,15 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
         return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
     }
     // glimt_light_cells/src/surface.rs:198
-    let lifted = max(c_2, (0.25f * up));
+    let lifted = max(c_1, (0.25f * up));
     // glimt_light_cells/src/surface.rs:199
     let v_5 = surface.wo;
     // glimt_light_cells/src/surface.rs:200
     let nv = dot(n_3, v_5);
     // glimt_light_cells/src/surface.rs:201
-    let dv = ((((_e7 * v_5.x) + (_e12 * v_5.y)) + (_e17 * v_5.z)) + ((lifted - c_2) * nv));
+    let dv = ((((_e7 * v_5.x) + (_e12 * v_5.y)) + (_e17 * v_5.z)) + ((lifted - c_1) * nv));
     // glimt_light_cells/src/surface.rs:202
-    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_2 * c_2)), vec4(0.000001f)));
+    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_1 * c_1)), vec4(0.000001f)));
     // glimt_light_cells/src/surface.rs:203
     let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
     // glimt_light_cells/src/surface.rs:204
@@ -761,18 +795,18 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     // glimt_light_cells/src/surface.rs:208
     let e = max(surface.exponent, 0.001f);
     // glimt_light_cells/src/surface.rs:209
-    let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    let seen_1 = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
     // glimt_light_cells/src/surface.rs:210
-    let _e151 = cosine_power4_(sin2_, seen);
-    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface.share * surface.peak) / e));
+    let _e151 = cosine_power4_(sin2_, seen_1);
+    let lobe = (((_e151 * seen_1) * (lifted * _e42)) * ((surface.share * surface.peak) / e));
     // glimt_light_cells/src/surface.rs:212
     let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
     // glimt_light_cells/src/surface.rs:213
-    let near_1 = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
+    let near = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
     // glimt_light_cells/src/surface.rs:214
     let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
     // glimt_light_cells/src/surface.rs:215
-    return CellTerms(cosine, _e45, _e42, lobe, min((slope + near_1), vec4(1f)), cosine_spread);
+    return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:53
@@ -959,17 +993,17 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
             // glimt_render_gpu/src/kernels/proposal.rs:231
             if has_lobe {
                 // glimt_render_gpu/src/kernels/proposal.rs:232
-                let a_4 = (_e44.lobe * _e42);
+                let a_3 = (_e44.lobe * _e42);
                 // glimt_render_gpu/src/kernels/proposal.rs:233
-                let spread = ((a_4 * _e44.lobe_spread) * _e44.lobe_spread);
+                let spread = ((a_3 * _e44.lobe_spread) * _e44.lobe_spread);
                 // glimt_render_gpu/src/kernels/proposal.rs:234
                 let _e125 = t.lobe;
-                t.lobe = (_e125 + (((a_4.x + a_4.y) + a_4.z) + a_4.w));
+                t.lobe = (_e125 + (((a_3.x + a_3.y) + a_3.z) + a_3.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:235
                 let _e136 = t.lobe_spread;
                 t.lobe_spread = (_e136 + (((spread.x + spread.y) + spread.z) + spread.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:236
-                let _e139 = (a_4 * _e59);
+                let _e139 = (a_3 * _e59);
                 let _e148 = t.lobe_visible;
                 t.lobe_visible = (_e148 + (((_e139.x + _e139.y) + _e139.z) + _e139.w));
                 // glimt_render_gpu/src/kernels/proposal.rs:237
@@ -1086,7 +1120,7 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
         // glimt_render_gpu/src/kernels/proposal.rs:307
         let _e74 = sums.lobe;
         let _e77 = of_2.surface.specular;
-        let a_5 = (_e74 * _e77);
+        let a_4 = (_e74 * _e77);
         // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e81 = sums.lobe_visible;
         let _e83 = sums.lobe;
@@ -1096,7 +1130,7 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
         if (_e88 < 1f) {
             // glimt_render_gpu/src/kernels/proposal.rs:310
             let _e93 = share;
-            let _e95 = worth(a_5, visible_1, by_lobe);
+            let _e95 = worth(a_4, visible_1, by_lobe);
             lobe_worth = ((1f - _e93) * _e95);
             // glimt_render_gpu/src/kernels/proposal.rs:311
             let _e98 = share;
@@ -1812,11 +1846,11 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
     // glimt_sampling/src/math.rs:46
     let sign_ = bitcast<f32>(((bitcast<u32>(1f) & 2147483647u) | (bitcast<u32>(n_2.z) & 2147483648u)));
     // glimt_sampling/src/math.rs:47
-    let a_6 = (-1f / (sign_ + n_2.z));
+    let a_5 = (-1f / (sign_ + n_2.z));
     // glimt_sampling/src/math.rs:48
-    let c_3 = ((n_2.x * n_2.y) * a_6);
+    let c_2 = ((n_2.x * n_2.y) * a_5);
     // glimt_sampling/src/math.rs:49
-    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_6)), (sign_ * c_3), (-(sign_) * n_2.x)), vec3<f32>(c_3, (sign_ + ((n_2.y * n_2.y) * a_6)), -(n_2.y)), n_2);
+    return ShadingFrame(vec3<f32>((1f + (((sign_ * n_2.x) * n_2.x) * a_5)), (sign_ * c_2), (-(sign_) * n_2.x)), vec3<f32>(c_2, (sign_ + ((n_2.y * n_2.y) * a_5)), -(n_2.y)), n_2);
 }
 
 // glimt_sampling/src/math.rs:66
@@ -1977,35 +2011,35 @@ fn sample_power_cosine(u_2: vec2<f32>, exponent_5: f32) -> DirectionSample {
     let _e80 = cos_sin_turns(u_2.y);
     // glimt_sampling/src/warp.rs:279
     let _e86 = cos_theta;
-    let direction_11 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
+    let direction_10 = vec3<f32>((sin_theta * _e80.x), (sin_theta * _e80.y), _e86);
     // glimt_sampling/src/warp.rs:280
-    let _e89 = pdf_power_cosine_sr(direction_11, exponent_5);
-    return DirectionSample(direction_11, _e89);
+    let _e89 = pdf_power_cosine_sr(direction_10, exponent_5);
+    return DirectionSample(direction_10, _e89);
 }
 
 // glimt_sampling/src/warp.rs:31
 fn sample_concentric_disk(u_3: vec2<f32>) -> vec2<f32> {
 
     // glimt_sampling/src/warp.rs:32
-    let a_7 = ((2f * u_3.x) - 1f);
+    let a_6 = ((2f * u_3.x) - 1f);
     // glimt_sampling/src/warp.rs:33
-    let b_3 = ((2f * u_3.y) - 1f);
+    let b_2 = ((2f * u_3.y) - 1f);
     // glimt_sampling/src/warp.rs:34
-    if ((a_7 == 0f) && (b_3 == 0f)) {
+    if ((a_6 == 0f) && (b_2 == 0f)) {
         // glimt_sampling/src/warp.rs:35
         return vec2(0f);
     }
     // glimt_sampling/src/warp.rs:37
-    if ((a_7 * a_7) > (b_3 * b_3)) {
+    if ((a_6 * a_6) > (b_2 * b_2)) {
         // glimt_sampling/src/warp.rs:38
-        let phi_1 = (0.7853982f * (b_3 / a_7));
+        let phi_1 = (0.7853982f * (b_2 / a_6));
         // glimt_sampling/src/warp.rs:39
-        return vec2<f32>((a_7 * cos(phi_1)), (a_7 * sin(phi_1)));
+        return vec2<f32>((a_6 * cos(phi_1)), (a_6 * sin(phi_1)));
     }
     // glimt_sampling/src/warp.rs:41
-    let phi_2 = (0.7853982f * (a_7 / b_3));
+    let phi_2 = (0.7853982f * (a_6 / b_2));
     // glimt_sampling/src/warp.rs:42
-    return vec2<f32>((b_3 * sin(phi_2)), (b_3 * cos(phi_2)));
+    return vec2<f32>((b_2 * sin(phi_2)), (b_2 * cos(phi_2)));
 }
 
 // glimt_sampling/src/warp.rs:88
@@ -2225,12 +2259,12 @@ fn find_bin(start_2: u32, bins: u32, u_6: u32) -> Bin {
     }
     // glimt_envmap_cdf/src/search.rs:42
     let _e31 = at;
-    let first_5 = env_tables[_e31];
+    let first_6 = env_tables[_e31];
     // glimt_envmap_cdf/src/search.rs:43
     let _e36 = at;
     let _e38 = at;
     let _e43 = env_tables[(_e38 + 1u)];
-    return Bin((_e36 - start_2), first_5, (_e43 - first_5));
+    return Bin((_e36 - start_2), first_6, (_e43 - first_6));
 }
 
 // glimt_light_cells/src/partition.rs:97
@@ -2360,10 +2394,10 @@ fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
 fn LightCells_texel_rows(size_7: vec2<u32>, start_4: u32, row: u32) -> vec2<u32> {
 
     // glimt_light_cells/src/partition.rs:139
-    let at_5 = (start_4 + row);
+    let at_6 = (start_4 + row);
     // glimt_light_cells/src/partition.rs:140
-    let _e8 = env_tables[at_5];
-    let _e13 = env_tables[(at_5 + 1u)];
+    let _e8 = env_tables[at_6];
+    let _e13 = env_tables[(at_6 + 1u)];
     return vec2<u32>(_e8, _e13);
 }
 
@@ -2424,9 +2458,9 @@ fn LightCells_column_edge(size_10: vec2<u32>, start_6: u32, x_7: u32, y_1: u32) 
     // glimt_light_cells/src/partition.rs:154
     let _e6 = first_column_word(size_10);
     let _e9 = column_words(size_10.x);
-    let at_6 = (((start_6 + _e6) + (y_1 * _e9)) + (x_7 / 2u));
+    let at_7 = (((start_6 + _e6) + (y_1 * _e9)) + (x_7 / 2u));
     // glimt_light_cells/src/partition.rs:155
-    let _e18 = env_tables[at_6];
+    let _e18 = env_tables[at_7];
     return ((_e18 >> ((16u * (x_7 & 1u)) & 31u)) & 65535u);
 }
 
@@ -2514,25 +2548,25 @@ fn cos_sin_pi(x_8: f32) -> vec2<f32> {
     // glimt_probe/src/trig.rs:29
     let y2_ = (y_3 * y_3);
     // glimt_probe/src/trig.rs:31
-    let c_4 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    let c_3 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
     let s_2 = (y_3 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_14 = vec2<f32>(c_4, (s_2 + 0f));
+        chosen_14 = vec2<f32>(c_3, (s_2 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_14 = vec2<f32>((0f - s_2), c_4);
+            chosen_14 = vec2<f32>((0f - s_2), c_3);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_14 = vec2<f32>((0f - c_4), (0f - s_2));
+                chosen_14 = vec2<f32>((0f - c_3), (0f - s_2));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_14 = vec2<f32>((s_2 + 0f), (0f - c_4));
+                chosen_14 = vec2<f32>((s_2 + 0f), (0f - c_3));
             }
         }
     }
@@ -2627,7 +2661,7 @@ fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     }
     // glimt_render_gpu/src/kernels/proposal.rs:424
     let _e30 = row_place.index;
-    let first_6 = (_e30 * 8u);
+    let first_7 = (_e30 * 8u);
     // glimt_render_gpu/src/kernels/proposal.rs:425
     let _e35 = unit_f32_(u_9.x);
     let _e37 = row_place.width;
@@ -2636,10 +2670,10 @@ fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     let _e40 = Place_new(target_1);
     quad_place = _e40;
     // glimt_render_gpu/src/kernels/proposal.rs:427
-    counter_7 = first_6;
+    counter_7 = first_7;
     loop {
         let quad_8 = counter_7;
-        if (quad_8 >= (first_6 + 8u)) {
+        if (quad_8 >= (first_7 + 8u)) {
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:428
@@ -2730,10 +2764,10 @@ fn LightCells_pmf_in_cell(size_14: vec2<u32>, start_9: u32, texel_3: vec2<u32>, 
     let _e8 = LightCells_texel_rows(size_14, start_9, (cell_3 / 32u));
     // glimt_light_cells/src/partition.rs:195
     let _e10 = LightCells_row_edges(size_14, start_9, cell_3, _e8);
-    let at_7 = ((_e10 + texel_3.y) - _e8.x);
+    let at_8 = ((_e10 + texel_3.y) - _e8.x);
     // glimt_light_cells/src/partition.rs:196
-    let _e22 = env_tables[(at_7 + 1u)];
-    let _e25 = env_tables[at_7];
+    let _e22 = env_tables[(at_8 + 1u)];
+    let _e25 = env_tables[at_8];
     let of_row_1 = Bin(0u, 0u, (_e22 - _e25));
     // glimt_light_cells/src/partition.rs:201
     let _e32 = first_column((cell_3 % 32u), size_14.x);
@@ -2846,98 +2880,155 @@ fn Ray_keyed(origin: vec3<f32>, direction_6: vec3<f32>, key: u32) -> Ray {
     return Ray(origin, direction_6, vec3<f32>(_e6, _e8, _e10), key);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:30
-fn box_distance(node: BvhNode, ray_2: Ray) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:53
+fn meet(node: BvhNode, ray_2: Ray, reach: f32) -> Met {
+    var node_1: BvhNode;
+
+    node_1 = node;
+    // glimt_render_gpu/src/kernels/bvh.rs:54
+    let _e12 = Tuple_f32_f32_f32_(ray_2.origin.x, ray_2.origin.y, ray_2.origin.z);
+    let x_13 = _e12.fa;
+    let y_4 = _e12.fb;
+    let z_3 = _e12.fc;
+    // glimt_render_gpu/src/kernels/bvh.rs:55
+    let inverse_1 = ray_2.inverse_direction;
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e20 = node_1.min_x;
+    let to_min_x = ((_e20 - vec4(x_13)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:57
+    let _e27 = node_1.max_x;
+    let to_max_x = ((_e27 - vec4(x_13)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:58
+    let _e34 = node_1.min_y;
+    let to_min_y = ((_e34 - vec4(y_4)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:59
+    let _e41 = node_1.max_y;
+    let to_max_y = ((_e41 - vec4(y_4)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:60
+    let _e48 = node_1.min_z;
+    let to_min_z = ((_e48 - vec4(z_3)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:61
+    let _e55 = node_1.max_z;
+    let to_max_z = ((_e55 - vec4(z_3)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:62
+    let near_x = min(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:63
+    let near_y = min(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:64
+    let near_z = min(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:65
+    let far_x = max(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    let far_y = max(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let far_z = max(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:68
+    let distances = max(max(near_x, near_y), max(near_z, vec4(0f)));
+    // glimt_render_gpu/src/kernels/bvh.rs:69
+    let far = (min(min(far_x, far_y), far_z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:70
+    let room = (min(far, vec4(reach)) - distances);
+    // glimt_render_gpu/src/kernels/bvh.rs:71
+    return Met((15u - dot((bitcast<vec4<u32>>(room) >> vec4(31u)), vec4<u32>(1u, 2u, 4u, 8u))), array<f32, 4>(distances.x, distances.y, distances.z, distances.w));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:163
+fn seen(triangle: Triangle, ray_3: Ray) -> Seen {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:164
+    let x_14 = (triangle.x - vec4(ray_3.origin.x));
+    // glimt_render_gpu/src/kernels/triangle.rs:165
+    let y_5 = (triangle.y - vec4(ray_3.origin.y));
+    // glimt_render_gpu/src/kernels/triangle.rs:166
+    let z_4 = (triangle.z - vec4(ray_3.origin.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:168
+    let _e24 = Tuple_Vec4_Vec4_(x_14.yzxw, x_14.zxyw);
+    let x1_ = _e24.fa;
+    let x2_1 = _e24.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:169
+    let _e30 = Tuple_Vec4_Vec4_(y_5.yzxw, y_5.zxyw);
+    let y1_ = _e30.fa;
+    let y2_1 = _e30.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:170
+    let _e36 = Tuple_Vec4_Vec4_(z_4.yzxw, z_4.zxyw);
+    let z1_ = _e36.fa;
+    let z2_ = _e36.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:171
+    let _e43 = Tuple_Vec4_Vec4_Vec4_((x1_ - x2_1), (y1_ - y2_1), (z1_ - z2_));
+    let edge_x = _e43.fa;
+    let edge_y = _e43.fb;
+    let edge_z = _e43.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:172
+    let _e51 = Tuple_Vec4_Vec4_Vec4_((x1_ + x2_1), (y1_ + y2_1), (z1_ + z2_));
+    let sum_x = _e51.fa;
+    let sum_y = _e51.fb;
+    let sum_z = _e51.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:173
+    let d_4 = ray_3.direction;
+    // glimt_render_gpu/src/kernels/triangle.rs:174
+    let functions = (((((edge_y * sum_z) - (edge_z * sum_y)) * d_4.x) + (((edge_z * sum_x) - (edge_x * sum_z)) * d_4.y)) + (((edge_x * sum_y) - (edge_y * sum_x)) * d_4.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:177
+    return Seen(vec3<f32>(x_14.x, y_5.x, z_4.x), edge_x, edge_y, edge_z, functions);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:191
+fn intersect(triangle_1: Triangle, ray_4: Ray, t_max: f32) -> f32 {
     var chosen_18: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_min = ((node.min - ray_2.origin) * ray_2.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:32
-    let to_max = ((node.max - ray_2.origin) * ray_2.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:33
-    let _e16 = min(to_min, to_max);
-    let near_2 = max(max(_e16.x, _e16.y), _e16.z);
-    // glimt_render_gpu/src/kernels/bvh.rs:34
-    let _e23 = max(to_min, to_max);
-    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
-    // glimt_render_gpu/src/kernels/bvh.rs:35
-    if ((far_1 >= near_2) && (far_1 >= 0f)) {
-        // glimt_render_gpu/src/kernels/bvh.rs:36
-        chosen_18 = near_2;
+    // glimt_render_gpu/src/kernels/triangle.rs:192
+    let _e5 = seen(triangle_1, ray_4);
+    // glimt_render_gpu/src/kernels/triangle.rs:193
+    if ((min(min(min(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) < 0f) && (max(max(max(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:194
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:196
+    let from_a = vec3<f32>(_e5.edge_x.y, _e5.edge_y.y, _e5.edge_z.y);
+    // glimt_render_gpu/src/kernels/triangle.rs:197
+    let to_a = vec3<f32>(_e5.edge_x.z, _e5.edge_y.z, _e5.edge_z.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:198
+    let normal_4 = cross(from_a, to_a);
+    // glimt_render_gpu/src/kernels/triangle.rs:199
+    let slope_1 = dot(normal_4, ray_4.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:200
+    if (slope_1 == 0f) {
+        // glimt_render_gpu/src/kernels/triangle.rs:201
+        return 0x1.fffffep+127f;
+    }
+    // glimt_render_gpu/src/kernels/triangle.rs:203
+    let t_8 = (dot(_e5.a, normal_4) / slope_1);
+    // glimt_render_gpu/src/kernels/triangle.rs:204
+    if ((t_8 > 0f) && (t_8 < t_max)) {
+        chosen_18 = t_8;
     } else {
-        // glimt_render_gpu/src/kernels/bvh.rs:38
         chosen_18 = 0x1.fffffep+127f;
     }
-    let _e40 = chosen_18;
-    return _e40;
+    let _e67 = chosen_18;
+    return _e67;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:111
-fn edge_functions(a_3: vec3<f32>, b_2: vec3<f32>, c_1: vec3<f32>, direction_7: vec3<f32>) -> vec3<f32> {
-
-    // glimt_render_gpu/src/kernels/triangle.rs:112
-    return vec3<f32>(dot(cross((b_2 - c_1), (b_2 + c_1)), direction_7), dot(cross((c_1 - a_3), (c_1 + a_3)), direction_7), dot(cross((a_3 - b_2), (a_3 + b_2)), direction_7));
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:124
-fn intersect(triangle: Triangle, ray_3: Ray, t_max: f32) -> f32 {
-    var chosen_19: f32;
-
-    // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_8 = (triangle.v0_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:126
-    let b_4 = (triangle.v1_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_5 = (triangle.v2_ - ray_3.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_8, b_4, c_5, ray_3.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:129
-    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:130
-        return 0x1.fffffep+127f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:132
-    let normal_4 = cross((c_5 - a_8), (a_8 - b_4));
-    // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope_1 = dot(normal_4, ray_3.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:134
-    if (slope_1 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:135
-        return 0x1.fffffep+127f;
-    }
-    // glimt_render_gpu/src/kernels/triangle.rs:137
-    let t_8 = (dot(a_8, normal_4) / slope_1);
-    // glimt_render_gpu/src/kernels/triangle.rs:138
-    if ((t_8 > 0f) && (t_8 < t_max)) {
-        chosen_19 = t_8;
-    } else {
-        chosen_19 = 0x1.fffffep+127f;
-    }
-    let _e59 = chosen_19;
-    return _e59;
-}
-
-// glimt_render_gpu/src/kernels/triangle.rs:59
+// glimt_render_gpu/src/kernels/triangle.rs:99
 fn Triangle_is_see_through(this_39: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:60
+    // glimt_render_gpu/src/kernels/triangle.rs:100
     return ((this_39.object & 1073741824u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:144
-fn barycentrics(triangle_1: Triangle, ray_4: Ray) -> vec2<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:210
+fn barycentrics(triangle_2: Triangle, ray_5: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:145
-    let _e14 = edge_functions((triangle_1.v0_ - ray_4.origin), (triangle_1.v1_ - ray_4.origin), (triangle_1.v2_ - ray_4.origin), ray_4.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum_3 = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:152
+    // glimt_render_gpu/src/kernels/triangle.rs:211
+    let _e4 = seen(triangle_2, ray_5);
+    let w_2 = _e4.functions.xyz;
+    // glimt_render_gpu/src/kernels/triangle.rs:212
+    let sum_3 = ((w_2.x + w_2.y) + w_2.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:213
     if (sum_3 == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:154
+        // glimt_render_gpu/src/kernels/triangle.rs:215
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum_3));
+    // glimt_render_gpu/src/kernels/triangle.rs:217
+    return (vec2<f32>(w_2.y, w_2.z) / vec2(sum_3));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -2967,18 +3058,18 @@ fn Attributes_at(first_4: u32, u_10: f32, v_3: f32) -> Attributes {
     // glimt_render_gpu/src/kernels/material.rs:132
     let _e15 = Attributes_of_corner((first_4 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
-    let w_2 = ((1f - u_10) - v_3);
+    let w_3 = ((1f - u_10) - v_3);
     // glimt_render_gpu/src/kernels/material.rs:134
-    return Attributes((((_e5.uv * w_2) + (_e9.uv * u_10)) + (_e15.uv * v_3)), (((_e5.color * w_2) + (_e9.color * u_10)) + (_e15.color * v_3)));
+    return Attributes((((_e5.uv * w_3) + (_e9.uv * u_10)) + (_e15.uv * v_3)), (((_e5.color * w_3) + (_e9.color * u_10)) + (_e15.color * v_3)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
 fn MaterialView_new(index_13: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_7 = (256u + (index_13 * 76u));
+    let first_8 = (256u + (index_13 * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
-    return Returned_MaterialView_new(first_7, ((first_7 + 76u) - first_7));
+    return Returned_MaterialView_new(first_8, ((first_8 + 76u) - first_8));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
@@ -3050,7 +3141,7 @@ fn neighbour(index_14: i32, size_17: u32, mode_1: u32) -> u32 {
 
 // glimt_render_gpu/src/kernels/texture.rs:69
 fn TextureView_texel(this_41: TextureView, index_15: u32) -> vec4<f32> {
-    var chosen_20: vec4<f32>;
+    var chosen_19: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
     let word_4 = scene_surface[(this_41.first + index_15)];
@@ -3059,7 +3150,7 @@ fn TextureView_texel(this_41: TextureView, index_15: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:72
     let g = ((word_4 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_5 = ((word_4 >> 16u) & 255u);
+    let b_3 = ((word_4 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
@@ -3067,13 +3158,13 @@ fn TextureView_texel(this_41: TextureView, index_15: u32) -> vec4<f32> {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_3];
         let _e42 = scene_surface[g];
-        let _e46 = scene_surface[b_5];
-        chosen_20 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+        let _e46 = scene_surface[b_3];
+        chosen_19 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_20 = vec4<f32>((f32(r_3) / 255f), (f32(g) / 255f), (f32(b_5) / 255f), alpha_2);
+        chosen_19 = vec4<f32>((f32(r_3) / 255f), (f32(g) / 255f), (f32(b_3) / 255f), alpha_2);
     }
-    let _e60 = chosen_20;
+    let _e60 = chosen_19;
     return _e60;
 }
 
@@ -3086,12 +3177,12 @@ fn TextureView_sample(this_42: TextureView, uv: vec2<f32>) -> vec4<f32> {
     let wrap_v = ((this_42.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_13 = ((_e21 * f32(this_42.width)) - 0.5f);
+    let x_15 = ((_e21 * f32(this_42.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_4 = ((_e29 * f32(this_42.height)) - 0.5f);
+    let y_6 = ((_e29 * f32(this_42.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e38 = Tuple_f32_f32_(floor(x_13), floor(y_4));
+    let _e38 = Tuple_f32_f32_(floor(x_15), floor(y_6));
     let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
@@ -3107,15 +3198,15 @@ fn TextureView_sample(this_42: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:59
     let _e67 = TextureView_texel(this_42, (row0_ + _e44));
     let _e69 = TextureView_texel(this_42, (row0_ + _e50));
-    let _e70 = (x_13 - left_2);
+    let _e70 = (x_15 - left_2);
     let upper_1 = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
     let _e78 = TextureView_texel(this_42, (row1_ + _e44));
     let _e80 = TextureView_texel(this_42, (row1_ + _e50));
-    let _e81 = (x_13 - left_2);
+    let _e81 = (x_15 - left_2);
     let lower_2 = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e88 = (y_4 - top);
+    let _e88 = (y_6 - top);
     return ((upper_1 * (1f - _e88)) + (lower_2 * _e88));
 }
 
@@ -3147,7 +3238,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_3: u32, textur
 // glimt_render_gpu/src/kernels/material.rs:280
 fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
     var alpha: f32;
-    var chosen_21: f32;
+    var chosen_20: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:281
     let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
@@ -3173,21 +3264,21 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
     // glimt_render_gpu/src/kernels/material.rs:290
     let _e31 = alpha;
     if (_e31 >= _e23) {
-        chosen_21 = 1f;
+        chosen_20 = 1f;
     } else {
-        chosen_21 = 0f;
+        chosen_20 = 0f;
     }
-    let _e35 = chosen_21;
+    let _e35 = chosen_20;
     return _e35;
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:14
-fn alpha_at(triangle_2: Triangle, u_11: f32, v_4: f32) -> f32 {
+fn alpha_at(triangle_3: Triangle, u_11: f32, v_4: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/opacity.rs:15
-    let _e6 = Attributes_at(triangle_2.attributes, u_11, v_4);
+    let _e6 = Attributes_at(triangle_3.attributes, u_11, v_4);
     // glimt_render_gpu/src/kernels/opacity.rs:16
-    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    let _e11 = MaterialView_new((triangle_3.material & 2147483647u));
     // glimt_render_gpu/src/kernels/opacity.rs:17
     let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
     return _e18;
@@ -3203,359 +3294,346 @@ fn passes(key_1: u32, index_16: u32, alpha_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_17: u32, triangle_3: Triangle, ray_5: Ray) -> bool {
+fn is_passed(index_17: u32, triangle_4: Triangle, ray_6: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
-    let _e5 = barycentrics(triangle_3, ray_5);
+    let _e5 = barycentrics(triangle_4, ray_6);
     // glimt_render_gpu/src/kernels/opacity.rs:35
-    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    let _e9 = alpha_at(triangle_4, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_5.key, index_17, _e9);
+    let _e12 = passes(ray_6.key, index_17, _e9);
     return _e12;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:45
+// glimt_render_gpu/src/kernels/triangle.rs:85
 fn Triangle_is_catcher(this_43: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:46
+    // glimt_render_gpu/src/kernels/triangle.rs:86
     return ((this_43.object & 2147483648u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_44: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:71
+fn Triangle_b(this_44: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_44.v1_ - this_44.v0_), (this_44.v2_ - this_44.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    return vec3<f32>(this_44.x.y, this_44.y.y, this_44.z.y);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_45: Triangle) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_a(this_45: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_45.v0_), abs(this_45.v1_)), abs(this_45.v2_));
-    // glimt_render_gpu/src/kernels/triangle.rs:68
-    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return vec3<f32>(this_45.x.x, this_45.y.x, this_45.z.x);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_46: Triangle, ray_6: Ray, t_1: f32) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:78
+fn Triangle_c(this_46: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_46);
-    // glimt_render_gpu/src/kernels/triangle.rs:76
-    let across = abs(dot(_e5, ray_6.direction));
-    // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_46);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_6.direction, ray_6.direction)))));
-    // glimt_render_gpu/src/kernels/triangle.rs:82
+    // glimt_render_gpu/src/kernels/triangle.rs:79
+    return vec3<f32>(this_46.x.z, this_46.y.z, this_46.z.z);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:140
+fn Triangle_area_normal(this_47: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:141
+    let _e3 = Triangle_b(this_47);
+    let _e4 = Triangle_a(this_47);
+    let _e6 = Triangle_c(this_47);
+    let _e7 = Triangle_a(this_47);
+    return cross((_e3 - _e4), (_e6 - _e7));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:106
+fn Triangle_ray_offset(this_48: Triangle) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:107
+    let extent = max(max(abs(this_48.x), abs(this_48.y)), abs(this_48.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:108
+    return (0.0000038146973f * max(max(max(extent.x, extent.y), extent.z), extent.w));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:114
+fn Triangle_setback(this_49: Triangle, ray_7: Ray, t_1: f32) -> f32 {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:115
+    let _e5 = Triangle_area_normal(this_49);
+    // glimt_render_gpu/src/kernels/triangle.rs:116
+    let across = abs(dot(_e5, ray_7.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:117
+    let _e12 = Triangle_ray_offset(this_49);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_7.direction, ray_7.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:122
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t_1);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_18: u32, triangle_4: Triangle, ray_7: Ray, t_2: f32, no_catcher: bool) -> f32 {
+// glimt_render_gpu/src/kernels/bvh.rs:214
+fn held(index_18: u32, triangle_5: Triangle, ray_8: Ray, t_2: f32, no_catcher: bool) -> f32 {
     var both_1: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:195
-    let _e7 = Triangle_is_see_through(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:222
+    let _e7 = Triangle_is_see_through(triangle_5);
     both_1 = _e7;
     if _e7 {
-        let _e9 = is_passed(index_18, triangle_4, ray_7);
+        let _e9 = is_passed(index_18, triangle_5, ray_8);
         both_1 = _e9;
     }
     let _e10 = both_1;
     if _e10 {
-        // glimt_render_gpu/src/kernels/bvh.rs:196
+        // glimt_render_gpu/src/kernels/bvh.rs:223
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:198
-    let _e14 = Triangle_is_catcher(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:225
+    let _e14 = Triangle_is_catcher(triangle_5);
     if !(_e14) {
-        // glimt_render_gpu/src/kernels/bvh.rs:199
+        // glimt_render_gpu/src/kernels/bvh.rs:226
         return t_2;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:201
+    // glimt_render_gpu/src/kernels/bvh.rs:228
     if no_catcher {
-        // glimt_render_gpu/src/kernels/bvh.rs:202
+        // glimt_render_gpu/src/kernels/bvh.rs:229
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_7, t_2);
+    // glimt_render_gpu/src/kernels/bvh.rs:231
+    let _e21 = Triangle_setback(triangle_5, ray_8, t_2);
     return (t_2 + _e21);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:160
-fn visit_leaf(leaf: BvhNode, ray_8: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn visit_leaf(first_5: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
     var counter_8: u32;
     var t_3: f32;
     var both_2: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:169
+    // glimt_render_gpu/src/kernels/bvh.rs:196
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:170
-    counter_8 = leaf.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:197
+    let _e12 = scene_triangles[first_5].run;
+    counter_8 = first_5;
     loop {
         let i = counter_8;
-        if (i >= (leaf.first + leaf.count)) {
+        if (i >= (first_5 + _e12)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:171
-        let _e19 = scene_triangles[i];
-        let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_8, _e20);
-        t_3 = _e21;
-        // glimt_render_gpu/src/kernels/bvh.rs:173
-        let _e24 = t_3;
-        let _e25 = (*reach);
-        let _e26 = (_e24 < _e25);
-        both_2 = _e26;
-        if _e26 {
-            let _e31 = scene_triangles[i].object;
-            both_2 = (_e31 >= 1073741824u);
+        // glimt_render_gpu/src/kernels/bvh.rs:198
+        let _e20 = scene_triangles[i];
+        let _e21 = (*reach_1);
+        let _e22 = intersect(_e20, ray_9, _e21);
+        t_3 = _e22;
+        // glimt_render_gpu/src/kernels/bvh.rs:200
+        let _e25 = t_3;
+        let _e26 = (*reach_1);
+        let _e27 = (_e25 < _e26);
+        both_2 = _e27;
+        if _e27 {
+            let _e32 = scene_triangles[i].object;
+            both_2 = (_e32 >= 1073741824u);
         }
-        let _e34 = both_2;
-        if _e34 {
-            // glimt_render_gpu/src/kernels/bvh.rs:174
-            let _e38 = scene_triangles[i];
-            let _e39 = t_3;
-            let _e40 = held(i, _e38, ray_8, _e39, no_catcher_1);
-            t_3 = _e40;
+        let _e35 = both_2;
+        if _e35 {
+            // glimt_render_gpu/src/kernels/bvh.rs:201
+            let _e39 = scene_triangles[i];
+            let _e40 = t_3;
+            let _e41 = held(i, _e39, ray_9, _e40, no_catcher_1);
+            t_3 = _e41;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:176
-        let _e42 = t_3;
-        let _e43 = (*reach);
-        if (_e42 < _e43) {
-            // glimt_render_gpu/src/kernels/bvh.rs:177
-            let _e46 = t_3;
-            (*reach) = _e46;
-            // glimt_render_gpu/src/kernels/bvh.rs:178
+        // glimt_render_gpu/src/kernels/bvh.rs:203
+        let _e43 = t_3;
+        let _e44 = (*reach_1);
+        if (_e43 < _e44) {
+            // glimt_render_gpu/src/kernels/bvh.rs:204
+            let _e47 = t_3;
+            (*reach_1) = _e47;
+            // glimt_render_gpu/src/kernels/bvh.rs:205
             nearest = i;
         }
         continuing {
-            let _e48 = counter_8;
-            counter_8 = (_e48 + 1u);
+            let _e49 = counter_8;
+            counter_8 = (_e49 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:181
-    let _e52 = nearest;
-    return _e52;
+    // glimt_render_gpu/src/kernels/bvh.rs:208
+    let _e53 = nearest;
+    return _e53;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:91
-fn traverse(ray_9: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
-    var either_1: bool;
+// glimt_render_gpu/src/kernels/bvh.rs:125
+fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var best_1: u32;
     var stack: array<u32, 64>;
     var height: u32;
-    var pair: u32;
-    var near: BvhNode;
-    var far: BvhNode;
-    var t_near: f32;
-    var t_far: f32;
-    var into_near: bool;
-    var into_far: bool;
+    var at_3: u32;
+    var next: u32;
+    var node_2: BvhNode;
+    var met: Met;
+    var distance_: f32;
+    var counter_9: u32;
+    var waiting: u32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:99
-    let _e8 = (arrayLength((&scene_nodes)) == 0u);
-    either_1 = _e8;
-    if _e8 {
-    } else {
-        let _e13 = scene_nodes[0u];
-        let _e14 = box_distance(_e13, ray_9);
-        let _e15 = (*reach_1);
-        either_1 = (_e14 >= _e15);
-    }
-    let _e17 = either_1;
-    if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:100
+    // glimt_render_gpu/src/kernels/bvh.rs:133
+    if (arrayLength((&scene_nodes)) == 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:134
         return 4294967295u;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:102
-    let root = scene_nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:103
-    if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:104
-        let _e31 = visit_leaf(root, ray_9, reach_1, 4294967295u, any_);
-        return _e31;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:106
+    // glimt_render_gpu/src/kernels/bvh.rs:136
     best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:107
+    // glimt_render_gpu/src/kernels/bvh.rs:137
     stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:108
+    // glimt_render_gpu/src/kernels/bvh.rs:138
     height = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:109
-    pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:110
+    // glimt_render_gpu/src/kernels/bvh.rs:139
+    at_3 = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:140
     loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:111
-        let _e47 = pair;
-        let _e50 = scene_nodes[_e47];
-        near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:112
-        let _e53 = pair;
-        let _e58 = scene_nodes[(_e53 + 1u)];
-        far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:113
-        let _e61 = near;
-        let _e62 = box_distance(_e61, ray_9);
-        t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:114
-        let _e65 = far;
-        let _e66 = box_distance(_e65, ray_9);
-        t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:116
-        let _e69 = t_near;
-        let _e70 = t_far;
-        if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:117
-            let node_1 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:118
-            let _e75 = far;
-            near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:119
-            far = node_1;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
-            let t_10 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:121
-            let _e80 = t_far;
-            t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:122
-            t_far = t_10;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:124
-        let _e83 = t_near;
-        let _e84 = (*reach_1);
-        into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:125
-        let _e88 = into_near;
-        let _e90 = near.count;
-        if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
-            let _e95 = near;
-            let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_9, reach_1, _e96, any_);
-            best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
-            let _e99 = best_1;
-            if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
-                let _e104 = best_1;
-                return _e104;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:130
-            into_near = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:132
-        let _e108 = t_far;
-        let _e109 = (*reach_1);
-        into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:133
-        let _e113 = into_far;
-        let _e115 = far.count;
-        if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:134
-            let _e120 = far;
-            let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_9, reach_1, _e121, any_);
-            best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:135
-            let _e124 = best_1;
-            if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:136
-                let _e129 = best_1;
-                return _e129;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:138
-            into_far = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:140
-        let _e133 = into_near;
-        if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:141
-            let _e136 = near.first;
-            pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:142
-            let _e138 = into_far;
-            if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:143
-                let _e141 = far.first;
-                let _e142 = height;
-                stack[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:144
-                let _e146 = height;
-                height = (_e146 + 1u);
-            }
-        } else {
-            let _e148 = into_far;
-            if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:147
-                let _e151 = far.first;
-                pair = _e151;
-            } else {
-                let _e152 = height;
-                if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:149
-                    let _e157 = height;
-                    height = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:150
-                    let _e160 = height;
-                    let _e162 = stack[_e160];
-                    pair = _e162;
-                } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:142
+        next = 0u;
+        // glimt_render_gpu/src/kernels/bvh.rs:143
+        let _e29 = at_3;
+        if (_e29 < 2147483648u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:144
+            let _e33 = at_3;
+            let _e36 = scene_nodes[_e33];
+            node_2 = _e36;
+            // glimt_render_gpu/src/kernels/bvh.rs:145
+            let _e39 = node_2;
+            let _e40 = (*reach_2);
+            let _e41 = meet(_e39, ray_10, _e40);
+            met = _e41;
+            // glimt_render_gpu/src/kernels/bvh.rs:146
+            distance_ = 0x1.fffffep+127f;
+            // glimt_render_gpu/src/kernels/bvh.rs:148
+            counter_9 = 0u;
+            loop {
+                let i_1 = counter_9;
+                if (i_1 >= 4u) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/bvh.rs:149
+                let child = node_2.children[i_1];
+                // glimt_render_gpu/src/kernels/bvh.rs:150
+                let _e58 = met.children;
+                if (((_e58 >> (i_1 & 31u)) & 1u) != 0u) {
                     // glimt_render_gpu/src/kernels/bvh.rs:152
-                    let _e164 = best_1;
-                    return _e164;
+                    let _e67 = next;
+                    waiting = _e67;
+                    // glimt_render_gpu/src/kernels/bvh.rs:153
+                    if any_ {
+                        // glimt_render_gpu/src/kernels/bvh.rs:154
+                        next = child;
+                    } else {
+                        let _e73 = met.distances[i_1];
+                        let _e74 = distance_;
+                        if (_e73 < _e74) {
+                            // glimt_render_gpu/src/kernels/bvh.rs:156
+                            let _e79 = met.distances[i_1];
+                            distance_ = _e79;
+                            // glimt_render_gpu/src/kernels/bvh.rs:157
+                            next = child;
+                        } else {
+                            // glimt_render_gpu/src/kernels/bvh.rs:159
+                            waiting = child;
+                        }
+                    }
+                    // glimt_render_gpu/src/kernels/bvh.rs:161
+                    let _e83 = waiting;
+                    if (_e83 > 0u) {
+                        // glimt_render_gpu/src/kernels/bvh.rs:162
+                        let _e87 = waiting;
+                        let _e88 = height;
+                        stack[_e88] = _e87;
+                        // glimt_render_gpu/src/kernels/bvh.rs:163
+                        let _e92 = height;
+                        height = (_e92 + 1u);
+                    }
+                }
+                continuing {
+                    let _e94 = counter_9;
+                    counter_9 = (_e94 + 1u);
                 }
             }
+        } else {
+            // glimt_render_gpu/src/kernels/bvh.rs:168
+            let _e98 = at_3;
+            let _e101 = best_1;
+            let _e102 = visit_leaf((_e98 - 2147483648u), ray_10, reach_2, _e101, any_);
+            best_1 = _e102;
+            // glimt_render_gpu/src/kernels/bvh.rs:169
+            let _e104 = best_1;
+            if (any_ && (_e104 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:170
+                let _e109 = best_1;
+                return _e109;
+            }
         }
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e111 = next;
+        if (_e111 == 0u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e115 = height;
+            if (_e115 == 0u) {
+                // glimt_render_gpu/src/kernels/bvh.rs:175
+                let _e119 = best_1;
+                return _e119;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e122 = height;
+            height = (_e122 - 1u);
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            let _e125 = height;
+            let _e127 = stack[_e125];
+            next = _e127;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:180
+        let _e129 = next;
+        at_3 = _e129;
     }
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:73
-fn any_hit(ray_10: Ray, t_max_1: f32) -> bool {
+// glimt_render_gpu/src/kernels/bvh.rs:108
+fn any_hit(ray_11: Ray, t_max_1: f32) -> bool {
     var t_4: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:80
+    // glimt_render_gpu/src/kernels/bvh.rs:115
     t_4 = t_max_1;
-    // glimt_render_gpu/src/kernels/bvh.rs:81
-    let _e7 = traverse(ray_10, (&t_4), true);
+    // glimt_render_gpu/src/kernels/bvh.rs:116
+    let _e7 = traverse(ray_11, (&t_4), true);
     return (_e7 != 4294967295u);
 }
 
 // glimt_render_gpu/src/kernels/scene.rs:136
-fn Scene_is_lit(point_4: ShadingPoint, direction_8: vec3<f32>, key_2: u32) -> bool {
+fn Scene_is_lit(point_4: ShadingPoint, direction_7: vec3<f32>, key_2: u32) -> bool {
 
     // glimt_render_gpu/src/kernels/scene.rs:137
-    let _e6 = Ray_keyed(point_4.origin, direction_8, key_2);
+    let _e6 = Ray_keyed(point_4.origin, direction_7, key_2);
     // glimt_render_gpu/src/kernels/scene.rs:138
     let _e9 = any_hit(_e6, 0x1.fffffep+127f);
     return !(_e9);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:399
-fn Proposal_open_control(this_47: Proposal, direction_9: vec3<f32>, at_3: CellAt) -> vec3<f32> {
+fn Proposal_open_control(this_50: Proposal, direction_8: vec3<f32>, at_4: CellAt) -> vec3<f32> {
     var self_4: Proposal;
-    var chosen_22: f32;
+    var chosen_21: f32;
 
-    self_4 = this_47;
+    self_4 = this_50;
     // glimt_render_gpu/src/kernels/proposal.rs:400
-    if at_3.is_full {
+    if at_4.is_full {
         // glimt_render_gpu/src/kernels/proposal.rs:401
         let _e11 = self_4.of_.mean_normal;
-        chosen_22 = dot(_e11, direction_9);
+        chosen_21 = dot(_e11, direction_8);
     } else {
         // glimt_render_gpu/src/kernels/proposal.rs:403
-        chosen_22 = at_3.cosine;
+        chosen_21 = at_4.cosine;
     }
-    let cosine_1 = chosen_22;
+    let cosine_1 = chosen_21;
     // glimt_render_gpu/src/kernels/proposal.rs:405
     let _e19 = self_4.of_.diffuse;
     let kd_2 = (_e19 * 0.31830987f);
     // glimt_render_gpu/src/kernels/proposal.rs:406
     let _e26 = self_4.of_.specular;
-    return ((kd_2 * cosine_1) + (_e26 * at_3.lobe));
+    return ((kd_2 * cosine_1) + (_e26 * at_4.lobe));
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:274
@@ -3565,11 +3643,11 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     var lobes: f32;
     var own_diffuse: vec3<f32>;
     var own_lobe: f32;
-    var counter_9: u32;
+    var counter_10: u32;
     var cosines: array<f32, 4>;
     var halves: array<f32, 4>;
     var is_own: array<f32, 4>;
-    var counter_10: u32;
+    var counter_11: u32;
 
     proposal_5 = proposal_4;
     // glimt_render_gpu/src/kernels/group_light.rs:281
@@ -3607,9 +3685,9 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     own_lobe = 0f;
     // glimt_render_gpu/src/kernels/group_light.rs:298
     let _e89 = (group_3.members / 4u);
-    counter_9 = 0u;
+    counter_10 = 0u;
     loop {
-        let quad_10 = counter_9;
+        let quad_10 = counter_10;
         if (quad_10 >= select(_e89, (_e89 + 1u), ((group_3.members % 4u) != 0u))) {
             break;
         }
@@ -3620,9 +3698,9 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
         // glimt_render_gpu/src/kernels/group_light.rs:301
         is_own = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:302
-        counter_10 = 0u;
+        counter_11 = 0u;
         loop {
-            let lane_2 = counter_10;
+            let lane_2 = counter_11;
             if (lane_2 >= 4u) {
                 break;
             }
@@ -3652,8 +3730,8 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
                 }
             }
             continuing {
-                let _e159 = counter_10;
-                counter_10 = (_e159 + 1u);
+                let _e159 = counter_11;
+                counter_11 = (_e159 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/group_light.rs:317
@@ -3688,8 +3766,8 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
             own_lobe = (_e222 + (((_e214.x + _e214.y) + _e214.z) + _e214.w));
         }
         continuing {
-            let _e224 = counter_9;
-            counter_9 = (_e224 + 1u);
+            let _e224 = counter_10;
+            counter_10 = (_e224 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/group_light.rs:326
@@ -3717,7 +3795,7 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     // glimt_render_gpu/src/kernels/group_light.rs:229
     let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
     // glimt_render_gpu/src/kernels/group_light.rs:230
-    let at_8 = look_1.at;
+    let at_9 = look_1.at;
     // glimt_render_gpu/src/kernels/group_light.rs:231
     let share_3 = proposal_7.lobe_share;
     // glimt_render_gpu/src/kernels/group_light.rs:232
@@ -3726,7 +3804,7 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     if (share_3 < 1f) {
         // glimt_render_gpu/src/kernels/group_light.rs:234
         let _e38 = proposal_7;
-        let _e41 = Proposal_cells_pdf_sr(_e38, look_1.texel, look_1.cell, at_8, cells_size_12, cells_start_12);
+        let _e41 = Proposal_cells_pdf_sr(_e38, look_1.texel, look_1.cell, at_9, cells_size_12, cells_start_12);
         // glimt_render_gpu/src/kernels/group_light.rs:235
         pdf_sr = ((1f - share_3) * _e41);
     }
@@ -3775,7 +3853,7 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     if false {
         // glimt_render_gpu/src/kernels/group_light.rs:255
         let _e105 = proposal_7;
-        let _e107 = Proposal_open_control(_e105, look_1.of_map, at_8);
+        let _e107 = Proposal_open_control(_e105, look_1.of_map, at_9);
         // glimt_render_gpu/src/kernels/group_light.rs:256
         let _e109 = proposal_7;
         let _e110 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_4, group_4, _e109, look_1, points_start_7, points_len_7);
@@ -3787,7 +3865,7 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
         } else {
             // glimt_render_gpu/src/kernels/group_light.rs:260
             let _e121 = lit;
-            lit = (_e121 + ((_e110 - _e107) * at_8.visibility));
+            lit = (_e121 + ((_e110 - _e107) * at_9.visibility));
         }
     }
     // glimt_render_gpu/src/kernels/group_light.rs:264
@@ -3803,11 +3881,11 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
     var proposal_8: Proposal;
     var source: PatternSource;
     var worth_1: f32;
-    var chosen_23: f32;
+    var chosen_22: f32;
     var lit_1: vec3<f32>;
     var blocked_1: vec3<f32>;
-    var counter_11: u32;
-    var chosen_24: Look;
+    var counter_12: u32;
+    var chosen_23: Look;
 
     // glimt_render_gpu/src/kernels/group_light.rs:102
     let _e15 = Group_representative(group_5, points_start_8, points_len_8, env_size_6, env_rotation_6);
@@ -3867,11 +3945,11 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
     let _e95 = worth_1;
     if (_e95 < 1f) {
         let _e98 = worth_1;
-        chosen_23 = _e98;
+        chosen_22 = _e98;
     } else {
-        chosen_23 = f32(count_2);
+        chosen_22 = f32(count_2);
     }
-    let divisor = chosen_23;
+    let divisor = chosen_22;
     // glimt_render_gpu/src/kernels/group_light.rs:124
     let _e103 = PixelPattern_ray_key(pattern_5, 9u);
     let _e104 = hash2_(_e103, number);
@@ -3880,9 +3958,9 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
     // glimt_render_gpu/src/kernels/group_light.rs:126
     blocked_1 = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:127
-    counter_11 = 0u;
+    counter_12 = 0u;
     loop {
-        let s_4 = counter_11;
+        let s_4 = counter_12;
         if (s_4 >= count_2) {
             break;
         }
@@ -3901,7 +3979,7 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
             let _e143 = proposal_8;
             let _e145 = (*drawn).lobes;
             let _e148 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e143, _e26, (_e145 - 1u), points_start_8, points_len_8);
-            chosen_24 = _e148;
+            chosen_23 = _e148;
         } else {
             // glimt_render_gpu/src/kernels/group_light.rs:134
             let _e152 = (*drawn).cells;
@@ -3910,9 +3988,9 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
             let _e155 = proposal_8;
             let _e157 = (*drawn).cells;
             let _e160 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e155, _e26, (_e157 - 1u), points_start_8, points_len_8);
-            chosen_24 = _e160;
+            chosen_23 = _e160;
         }
-        let look_2 = chosen_24;
+        let look_2 = chosen_23;
         // glimt_render_gpu/src/kernels/group_light.rs:137
         if look_2.is_possible {
             // glimt_render_gpu/src/kernels/group_light.rs:138
@@ -3928,8 +4006,8 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
             blocked_1 = (_e175 + _e168.blocked);
         }
         continuing {
-            let _e177 = counter_11;
-            counter_11 = (_e177 + 1u);
+            let _e177 = counter_12;
+            counter_12 = (_e177 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/group_light.rs:144
@@ -3968,7 +4046,7 @@ fn Vec4_of_surface(light: Reflected, _is_catcher: bool) -> vec4<f32> {
 fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
     var x_11: u32;
     var round_key: u32;
-    var counter_12: i32;
+    var counter_13: i32;
 
     // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
@@ -3986,9 +4064,9 @@ fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
         // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key_4;
         // glimt_render_gpu/src/kernels/pattern.rs:230
-        counter_12 = 0i;
+        counter_13 = 0i;
         loop {
-            let _e31 = counter_12;
+            let _e31 = counter_13;
             if (_e31 >= 3i) {
                 break;
             }
@@ -4006,8 +4084,8 @@ fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
             let _e56 = x_11;
             x_11 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter_12;
-                counter_12 = (_e58 + 1i);
+                let _e58 = counter_13;
+                counter_13 = (_e58 + 1i);
             }
         }
         // glimt_render_gpu/src/kernels/pattern.rs:236
@@ -4053,80 +4131,80 @@ fn jittered_pair(index_20: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_48: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_51: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_22 = ((this_48.ray * samples) + sample);
+    let index_22 = ((this_51.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
-    if (this_48.kind == 0u) {
+    if (this_51.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_48, purpose_6, index_22);
+        let _e14 = PixelPattern_sobol_point(this_51, purpose_6, index_22);
         borrowed_2 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_2));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_48, purpose_6, index_22);
+    let _e18 = PixelPattern_generator(this_51, purpose_6, index_22);
     borrowed_3 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    if (this_48.kind == 1u) {
+    if (this_51.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_48, purpose_6);
-    let _e30 = jittered_pair(index_22, (this_48.rays * samples), _e20, _e29);
+    let _e29 = PixelPattern_key(this_51, purpose_6);
+    let _e30 = jittered_pair(index_22, (this_51.rays * samples), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_49: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_52: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
-    let x_14 = (((2f * p.x) / f32(size_18.x)) - 1f);
+    let x_16 = (((2f * p.x) / f32(size_18.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
-    let y_5 = (((2f * p.y) / f32(size_18.y)) - 1f);
+    let y_7 = (((2f * p.y) / f32(size_18.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_49.forward + (this_49.right * x_14)) - (this_49.up * y_5)));
+    return normalize(((this_52.forward + (this_52.right * x_16)) - (this_52.up * y_7)));
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:161
-fn FrameParams_direction(this_50: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
+fn FrameParams_direction(this_53: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/frame.rs:162
-    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_50.width), (pixel_3 / this_50.width)));
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_53.width), (pixel_3 / this_53.width)));
     // glimt_render_gpu/src/kernels/frame.rs:163
-    let view = CameraView(this_50.eye, this_50.forward, this_50.right, this_50.up);
+    let view = CameraView(this_53.eye, this_53.forward, this_53.right, this_53.up);
     // glimt_render_gpu/src/kernels/frame.rs:169
-    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_50.width, this_50.height));
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_53.width, this_53.height));
     return _e22;
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:144
-fn FrameParams_camera_ray(this_51: FrameParams, pattern_6: PixelPattern) -> Ray {
-    var chosen_25: vec2<f32>;
+fn FrameParams_camera_ray(this_54: FrameParams, pattern_6: PixelPattern) -> Ray {
+    var chosen_24: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
-    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_51.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
+    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_54.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
-    if (this_51.filter_ == 1u) {
+    if (this_54.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
-        chosen_25 = vec2(0.5f);
+        chosen_24 = vec2(0.5f);
     } else {
         // glimt_render_gpu/src/kernels/frame.rs:152
         let _e23 = PixelPattern_pair(film, 1u, 0u, 1u);
         let _e24 = unit_vec2_(_e23);
-        chosen_25 = _e24;
+        chosen_24 = _e24;
     }
-    let place_4 = chosen_25;
+    let place_4 = chosen_24;
     // glimt_render_gpu/src/kernels/frame.rs:154
-    let _e28 = FrameParams_direction(this_51, pattern_6.pixel, place_4);
+    let _e28 = FrameParams_direction(this_54, pattern_6.pixel, place_4);
     // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_51.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_54.eye, _e28, _e32);
     return _e33;
 }
 
@@ -4144,47 +4222,47 @@ fn bilinear(size_20: vec2<u32>, d_3: vec3<f32>) -> vec3<f32> {
     let _e4 = direction_to_uv(d_3);
     let p_1 = ((_e4 * vec2<f32>(size_20)) - vec2(0.5f));
     // glimt_render_gpu/src/kernels/environment.rs:149
-    let next = vec2<u32>((p_1 + vec2(1f)));
+    let next_1 = vec2<u32>((p_1 + vec2(1f)));
     // glimt_render_gpu/src/kernels/environment.rs:150
-    let f = ((p_1 + vec2(1f)) - vec2<f32>(next));
+    let f = ((p_1 + vec2(1f)) - vec2<f32>(next_1));
     // glimt_render_gpu/src/kernels/environment.rs:151
-    let x0_ = (((next.x + size_20.x) - 1u) % size_20.x);
+    let x0_ = (((next_1.x + size_20.x) - 1u) % size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:152
-    let x1_ = (next.x % size_20.x);
+    let x1_1 = (next_1.x % size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:153
-    let row0_1 = ((max(next.y, 1u) * size_20.x) - size_20.x);
+    let row0_1 = ((max(next_1.y, 1u) * size_20.x) - size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:154
-    let row1_1 = (min(next.y, (size_20.y - 1u)) * size_20.x);
+    let row1_1 = (min(next_1.y, (size_20.y - 1u)) * size_20.x);
     // glimt_render_gpu/src/kernels/environment.rs:155
     let _e53 = env_texels[(row0_1 + x0_)];
-    let _e57 = env_texels[(row0_1 + x1_)];
+    let _e57 = env_texels[(row0_1 + x1_1)];
     let upper_2 = ((_e53 * (1f - f.x)) + (_e57 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:156
     let _e68 = env_texels[(row1_1 + x0_)];
-    let _e72 = env_texels[(row1_1 + x1_)];
+    let _e72 = env_texels[(row1_1 + x1_1)];
     let lower_3 = ((_e68 * (1f - f.x)) + (_e72 * f.x));
     // glimt_render_gpu/src/kernels/environment.rs:157
     return ((upper_2 * (1f - f.y)) + (lower_3 * f.y)).xyz;
 }
 
 // glimt_render_gpu/src/kernels/environment.rs:46
-fn RadianceMap_background(size_21: vec2<u32>, rotation_5: vec2<f32>, direction_10: vec3<f32>) -> vec3<f32> {
+fn RadianceMap_background(size_21: vec2<u32>, rotation_5: vec2<f32>, direction_9: vec3<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/environment.rs:47
     let to_map = vec2<f32>(rotation_5.x, -(rotation_5.y));
     // glimt_render_gpu/src/kernels/environment.rs:48
-    let _e10 = rotate_z(direction_10, to_map);
+    let _e10 = rotate_z(direction_9, to_map);
     let _e11 = bilinear(size_21, _e10);
     return _e11;
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:30
-fn Vec4_of_background(ray_11: Ray, frame_2: FrameParams, map_size: vec2<u32>, map_rotation: vec2<f32>) -> vec4<f32> {
+fn Vec4_of_background(ray_12: Ray, frame_2: FrameParams, map_size: vec2<u32>, map_rotation: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/shade.rs:31
     if (frame_2.background == 0u) {
         // glimt_render_gpu/src/kernels/shade.rs:32
-        let _e11 = RadianceMap_background(map_size, map_rotation, ray_11.direction);
+        let _e11 = RadianceMap_background(map_size, map_rotation, ray_12.direction);
         return vec4<f32>(_e11, 1f);
     }
     // glimt_render_gpu/src/kernels/shade.rs:34
@@ -4198,14 +4276,14 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
     var filled: u32;
     var number_1: u32;
     var group_6: Group;
-    var counter_13: u32;
     var counter_14: u32;
+    var counter_15: u32;
 
     // glimt_render_gpu/src/kernels/product.rs:66
-    let first_8 = (pixel_4 * frame_3.rays_per_pixel);
+    let first_9 = (pixel_4 * frame_3.rays_per_pixel);
     // glimt_render_gpu/src/kernels/product.rs:67
     let _e15 = Environment_cells(env_size_7, env_rotation_7);
-    let _e18 = FrameParams_pattern_of(frame_3, first_8);
+    let _e18 = FrameParams_pattern_of(frame_3, first_9);
     // glimt_render_gpu/src/kernels/product.rs:75
     drawn_1 = Drawn(0u, 0u);
     // glimt_render_gpu/src/kernels/product.rs:76
@@ -4230,9 +4308,9 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
         let _e46 = GroupLight_reflected(env_size_7, env_rotation_7, _e15.value_size, _e15.value_start, _e18, rays_6, threshold_6, _e44, _e45, expected_7, points_start_9, points_len_9, (&drawn_1));
         // glimt_render_gpu/src/kernels/product.rs:82
         let _e50 = group_6.members;
-        counter_13 = 0u;
+        counter_14 = 0u;
         loop {
-            let k_5 = counter_13;
+            let k_5 = counter_14;
             if (k_5 >= _e50) {
                 break;
             }
@@ -4248,8 +4326,8 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
             let _e70 = Vec4_of_surface(own_3, _e69);
             samples_1[(samples_start + _e56)] = _e70;
             continuing {
-                let _e74 = counter_13;
-                counter_13 = (_e74 + 1u);
+                let _e74 = counter_14;
+                counter_14 = (_e74 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/product.rs:91
@@ -4265,27 +4343,27 @@ fn shade_groups(pixel_4: u32, frame_3: FrameParams, rays_6: f32, threshold_6: f3
         group_6 = _e88;
     }
     // glimt_render_gpu/src/kernels/product.rs:95
-    counter_14 = 0u;
+    counter_15 = 0u;
     loop {
-        let ray_13 = counter_14;
-        if (ray_13 >= frame_3.rays_per_pixel) {
+        let ray_14 = counter_15;
+        if (ray_14 >= frame_3.rays_per_pixel) {
             break;
         }
         // glimt_render_gpu/src/kernels/product.rs:96
-        let _e99 = points[(points_start_9 + ray_13)];
+        let _e99 = points[(points_start_9 + ray_14)];
         let _e100 = SeenPoint_is_hit(_e99);
         if !(_e100) {
             // glimt_render_gpu/src/kernels/product.rs:97
-            let _e104 = FrameParams_pattern_of(frame_3, (first_8 + ray_13));
+            let _e104 = FrameParams_pattern_of(frame_3, (first_9 + ray_14));
             let _e105 = FrameParams_camera_ray(frame_3, _e104);
             // glimt_render_gpu/src/kernels/product.rs:98
             let _e107 = Environment_map(env_size_7, env_rotation_7);
             let _e110 = Vec4_of_background(_e105, frame_3, _e107.value_size, _e107.value_rotation);
-            samples_1[(samples_start + ray_13)] = _e110;
+            samples_1[(samples_start + ray_14)] = _e110;
         }
         continuing {
-            let _e114 = counter_14;
-            counter_14 = (_e114 + 1u);
+            let _e114 = counter_15;
+            counter_15 = (_e114 + 1u);
         }
     }
     return;

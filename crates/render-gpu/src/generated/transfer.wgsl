@@ -1,19 +1,23 @@
 // Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 struct BvhNode {
-    min: vec3<f32>,
-    count: u32,
-    max: vec3<f32>,
-    first: u32,
+    min_x: vec4<f32>,
+    min_y: vec4<f32>,
+    min_z: vec4<f32>,
+    max_x: vec4<f32>,
+    max_y: vec4<f32>,
+    max_z: vec4<f32>,
+    children: array<u32, 4>,
 }
 
 struct Triangle {
-    v0_: vec3<f32>,
+    x: vec4<f32>,
+    y: vec4<f32>,
+    z: vec4<f32>,
     material: u32,
-    v1_: vec3<f32>,
     object: u32,
-    v2_: vec3<f32>,
     attributes: u32,
+    run: u32,
 }
 
 struct TransferVertex {
@@ -51,6 +55,36 @@ struct Asked {
     own: bool,
     near: f32,
     way: vec3<f32>,
+}
+
+struct Tuple_f32_f32_f32_ {
+    fa: f32,
+    fb: f32,
+    fc: f32,
+}
+
+struct Met {
+    children: u32,
+    distances: array<f32, 4>,
+}
+
+struct Tuple_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+}
+
+struct Tuple_Vec4_Vec4_Vec4_ {
+    fa: vec4<f32>,
+    fb: vec4<f32>,
+    fc: vec4<f32>,
+}
+
+struct Seen {
+    a: vec3<f32>,
+    edge_x: vec4<f32>,
+    edge_y: vec4<f32>,
+    edge_z: vec4<f32>,
+    functions: vec4<f32>,
 }
 
 struct Attributes {
@@ -132,112 +166,169 @@ fn Ray_new(origin_1: vec3<f32>, direction_1: vec3<f32>) -> Ray {
     return _e5;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:30
-fn box_distance(node: BvhNode, ray: Ray) -> f32 {
-    var chosen: f32;
+// glimt_render_gpu/src/kernels/bvh.rs:53
+fn meet(node: BvhNode, ray: Ray, reach: f32) -> Met {
+    var node_1: BvhNode;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:31
-    let to_min = ((node.min - ray.origin) * ray.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:32
-    let to_max = ((node.max - ray.origin) * ray.inverse_direction);
-    // glimt_render_gpu/src/kernels/bvh.rs:33
-    let _e16 = min(to_min, to_max);
-    let near_1 = max(max(_e16.x, _e16.y), _e16.z);
-    // glimt_render_gpu/src/kernels/bvh.rs:34
-    let _e23 = max(to_min, to_max);
-    let far_1 = (min(min(_e23.x, _e23.y), _e23.z) * 1.0000004f);
-    // glimt_render_gpu/src/kernels/bvh.rs:35
-    if ((far_1 >= near_1) && (far_1 >= 0f)) {
-        // glimt_render_gpu/src/kernels/bvh.rs:36
-        chosen = near_1;
-    } else {
-        // glimt_render_gpu/src/kernels/bvh.rs:38
-        chosen = 0x1.fffffep+127f;
-    }
-    let _e40 = chosen;
-    return _e40;
+    node_1 = node;
+    // glimt_render_gpu/src/kernels/bvh.rs:54
+    let _e12 = Tuple_f32_f32_f32_(ray.origin.x, ray.origin.y, ray.origin.z);
+    let x_6 = _e12.fa;
+    let y_2 = _e12.fb;
+    let z_5 = _e12.fc;
+    // glimt_render_gpu/src/kernels/bvh.rs:55
+    let inverse_1 = ray.inverse_direction;
+    // glimt_render_gpu/src/kernels/bvh.rs:56
+    let _e20 = node_1.min_x;
+    let to_min_x = ((_e20 - vec4(x_6)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:57
+    let _e27 = node_1.max_x;
+    let to_max_x = ((_e27 - vec4(x_6)) * inverse_1.x);
+    // glimt_render_gpu/src/kernels/bvh.rs:58
+    let _e34 = node_1.min_y;
+    let to_min_y = ((_e34 - vec4(y_2)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:59
+    let _e41 = node_1.max_y;
+    let to_max_y = ((_e41 - vec4(y_2)) * inverse_1.y);
+    // glimt_render_gpu/src/kernels/bvh.rs:60
+    let _e48 = node_1.min_z;
+    let to_min_z = ((_e48 - vec4(z_5)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:61
+    let _e55 = node_1.max_z;
+    let to_max_z = ((_e55 - vec4(z_5)) * inverse_1.z);
+    // glimt_render_gpu/src/kernels/bvh.rs:62
+    let near_x = min(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:63
+    let near_y = min(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:64
+    let near_z = min(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:65
+    let far_x = max(to_min_x, to_max_x);
+    // glimt_render_gpu/src/kernels/bvh.rs:66
+    let far_y = max(to_min_y, to_max_y);
+    // glimt_render_gpu/src/kernels/bvh.rs:67
+    let far_z = max(to_min_z, to_max_z);
+    // glimt_render_gpu/src/kernels/bvh.rs:68
+    let distances = max(max(near_x, near_y), max(near_z, vec4(0f)));
+    // glimt_render_gpu/src/kernels/bvh.rs:69
+    let far = (min(min(far_x, far_y), far_z) * 1.0000004f);
+    // glimt_render_gpu/src/kernels/bvh.rs:70
+    let room = (min(far, vec4(reach)) - distances);
+    // glimt_render_gpu/src/kernels/bvh.rs:71
+    return Met((15u - dot((bitcast<vec4<u32>>(room) >> vec4(31u)), vec4<u32>(1u, 2u, 4u, 8u))), array<f32, 4>(distances.x, distances.y, distances.z, distances.w));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:45
+// glimt_render_gpu/src/kernels/triangle.rs:85
 fn Triangle_is_catcher(this_: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:46
+    // glimt_render_gpu/src/kernels/triangle.rs:86
     return ((this_.object & 2147483648u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:52
+// glimt_render_gpu/src/kernels/triangle.rs:92
 fn Triangle_object_index(this_1: Triangle) -> u32 {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:53
+    // glimt_render_gpu/src/kernels/triangle.rs:93
     return (this_1.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:111
-fn edge_functions(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, direction_2: vec3<f32>) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:163
+fn seen(triangle: Triangle, ray_1: Ray) -> Seen {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:112
-    return vec3<f32>(dot(cross((b - c), (b + c)), direction_2), dot(cross((c - a), (c + a)), direction_2), dot(cross((a - b), (a + b)), direction_2));
+    // glimt_render_gpu/src/kernels/triangle.rs:164
+    let x_7 = (triangle.x - vec4(ray_1.origin.x));
+    // glimt_render_gpu/src/kernels/triangle.rs:165
+    let y_3 = (triangle.y - vec4(ray_1.origin.y));
+    // glimt_render_gpu/src/kernels/triangle.rs:166
+    let z_6 = (triangle.z - vec4(ray_1.origin.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:168
+    let _e24 = Tuple_Vec4_Vec4_(x_7.yzxw, x_7.zxyw);
+    let x1_ = _e24.fa;
+    let x2_ = _e24.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:169
+    let _e30 = Tuple_Vec4_Vec4_(y_3.yzxw, y_3.zxyw);
+    let y1_ = _e30.fa;
+    let y2_ = _e30.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:170
+    let _e36 = Tuple_Vec4_Vec4_(z_6.yzxw, z_6.zxyw);
+    let z1_ = _e36.fa;
+    let z2_ = _e36.fb;
+    // glimt_render_gpu/src/kernels/triangle.rs:171
+    let _e43 = Tuple_Vec4_Vec4_Vec4_((x1_ - x2_), (y1_ - y2_), (z1_ - z2_));
+    let edge_x = _e43.fa;
+    let edge_y = _e43.fb;
+    let edge_z = _e43.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:172
+    let _e51 = Tuple_Vec4_Vec4_Vec4_((x1_ + x2_), (y1_ + y2_), (z1_ + z2_));
+    let sum_x = _e51.fa;
+    let sum_y = _e51.fb;
+    let sum_z = _e51.fc;
+    // glimt_render_gpu/src/kernels/triangle.rs:173
+    let d_1 = ray_1.direction;
+    // glimt_render_gpu/src/kernels/triangle.rs:174
+    let functions = (((((edge_y * sum_z) - (edge_z * sum_y)) * d_1.x) + (((edge_z * sum_x) - (edge_x * sum_z)) * d_1.y)) + (((edge_x * sum_y) - (edge_y * sum_x)) * d_1.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:177
+    return Seen(vec3<f32>(x_7.x, y_3.x, z_6.x), edge_x, edge_y, edge_z, functions);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:124
-fn intersect(triangle: Triangle, ray_1: Ray, t_max: f32) -> f32 {
-    var chosen_1: f32;
+// glimt_render_gpu/src/kernels/triangle.rs:191
+fn intersect(triangle_1: Triangle, ray_2: Ray, t_max: f32) -> f32 {
+    var chosen: f32;
 
-    // glimt_render_gpu/src/kernels/triangle.rs:125
-    let a_3 = (triangle.v0_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:126
-    let b_3 = (triangle.v1_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:127
-    let c_2 = (triangle.v2_ - ray_1.origin);
-    // glimt_render_gpu/src/kernels/triangle.rs:128
-    let _e18 = edge_functions(a_3, b_3, c_2, ray_1.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:129
-    if ((min(min(_e18.x, _e18.y), _e18.z) < 0f) && (max(max(_e18.x, _e18.y), _e18.z) > 0f)) {
-        // glimt_render_gpu/src/kernels/triangle.rs:130
+    // glimt_render_gpu/src/kernels/triangle.rs:192
+    let _e5 = seen(triangle_1, ray_2);
+    // glimt_render_gpu/src/kernels/triangle.rs:193
+    if ((min(min(min(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) < 0f) && (max(max(max(_e5.functions.x, _e5.functions.y), _e5.functions.z), _e5.functions.w) > 0f)) {
+        // glimt_render_gpu/src/kernels/triangle.rs:194
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:132
-    let normal = cross((c_2 - a_3), (a_3 - b_3));
-    // glimt_render_gpu/src/kernels/triangle.rs:133
-    let slope = dot(normal, ray_1.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:134
+    // glimt_render_gpu/src/kernels/triangle.rs:196
+    let from_a = vec3<f32>(_e5.edge_x.y, _e5.edge_y.y, _e5.edge_z.y);
+    // glimt_render_gpu/src/kernels/triangle.rs:197
+    let to_a = vec3<f32>(_e5.edge_x.z, _e5.edge_y.z, _e5.edge_z.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:198
+    let normal = cross(from_a, to_a);
+    // glimt_render_gpu/src/kernels/triangle.rs:199
+    let slope = dot(normal, ray_2.direction);
+    // glimt_render_gpu/src/kernels/triangle.rs:200
     if (slope == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:135
+        // glimt_render_gpu/src/kernels/triangle.rs:201
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:137
-    let t_4 = (dot(a_3, normal) / slope);
-    // glimt_render_gpu/src/kernels/triangle.rs:138
+    // glimt_render_gpu/src/kernels/triangle.rs:203
+    let t_4 = (dot(_e5.a, normal) / slope);
+    // glimt_render_gpu/src/kernels/triangle.rs:204
     if ((t_4 > 0f) && (t_4 < t_max)) {
-        chosen_1 = t_4;
+        chosen = t_4;
     } else {
-        chosen_1 = 0x1.fffffep+127f;
+        chosen = 0x1.fffffep+127f;
     }
-    let _e59 = chosen_1;
-    return _e59;
+    let _e67 = chosen;
+    return _e67;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:59
+// glimt_render_gpu/src/kernels/triangle.rs:99
 fn Triangle_is_see_through(this_2: Triangle) -> bool {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:60
+    // glimt_render_gpu/src/kernels/triangle.rs:100
     return ((this_2.object & 1073741824u) != 0u);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:144
-fn barycentrics(triangle_1: Triangle, ray_2: Ray) -> vec2<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:210
+fn barycentrics(triangle_2: Triangle, ray_3: Ray) -> vec2<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:145
-    let _e14 = edge_functions((triangle_1.v0_ - ray_2.origin), (triangle_1.v1_ - ray_2.origin), (triangle_1.v2_ - ray_2.origin), ray_2.direction);
-    // glimt_render_gpu/src/kernels/triangle.rs:151
-    let sum = ((_e14.x + _e14.y) + _e14.z);
-    // glimt_render_gpu/src/kernels/triangle.rs:152
+    // glimt_render_gpu/src/kernels/triangle.rs:211
+    let _e4 = seen(triangle_2, ray_3);
+    let w_1 = _e4.functions.xyz;
+    // glimt_render_gpu/src/kernels/triangle.rs:212
+    let sum = ((w_1.x + w_1.y) + w_1.z);
+    // glimt_render_gpu/src/kernels/triangle.rs:213
     if (sum == 0f) {
-        // glimt_render_gpu/src/kernels/triangle.rs:154
+        // glimt_render_gpu/src/kernels/triangle.rs:215
         return vec2((1f / 3f));
     }
-    // glimt_render_gpu/src/kernels/triangle.rs:156
-    return (vec2<f32>(_e14.y, _e14.z) / vec2(sum));
+    // glimt_render_gpu/src/kernels/triangle.rs:217
+    return (vec2<f32>(w_1.y, w_1.z) / vec2(sum));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:141
@@ -267,18 +358,18 @@ fn Attributes_at(first_1: u32, u: f32, v: f32) -> Attributes {
     // glimt_render_gpu/src/kernels/material.rs:132
     let _e15 = Attributes_of_corner((first_1 + (2u * 4u)));
     // glimt_render_gpu/src/kernels/material.rs:133
-    let w_1 = ((1f - u) - v);
+    let w_2 = ((1f - u) - v);
     // glimt_render_gpu/src/kernels/material.rs:134
-    return Attributes((((_e5.uv * w_1) + (_e9.uv * u)) + (_e15.uv * v)), (((_e5.color * w_1) + (_e9.color * u)) + (_e15.color * v)));
+    return Attributes((((_e5.uv * w_2) + (_e9.uv * u)) + (_e15.uv * v)), (((_e5.color * w_2) + (_e9.color * u)) + (_e15.color * v)));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:172
 fn MaterialView_new(index: u32) -> Returned_MaterialView_new {
 
     // glimt_render_gpu/src/kernels/material.rs:173
-    let first_3 = (256u + (index * 76u));
+    let first_4 = (256u + (index * 76u));
     // glimt_render_gpu/src/kernels/material.rs:174
-    return Returned_MaterialView_new(first_3, ((first_3 + 76u) - first_3));
+    return Returned_MaterialView_new(first_4, ((first_4 + 76u) - first_4));
 }
 
 // glimt_render_gpu/src/kernels/material.rs:181
@@ -350,7 +441,7 @@ fn neighbour(index_1: i32, size: u32, mode_1: u32) -> u32 {
 
 // glimt_render_gpu/src/kernels/texture.rs:69
 fn TextureView_texel(this_4: TextureView, index_2: u32) -> vec4<f32> {
-    var chosen_2: vec4<f32>;
+    var chosen_1: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
     let word_3 = surface[(this_4.first + index_2)];
@@ -359,7 +450,7 @@ fn TextureView_texel(this_4: TextureView, index_2: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:72
     let g = ((word_3 >> 8u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:73
-    let b_4 = ((word_3 >> 16u) & 255u);
+    let b_2 = ((word_3 >> 16u) & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_3 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
@@ -367,13 +458,13 @@ fn TextureView_texel(this_4: TextureView, index_2: u32) -> vec4<f32> {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = surface[r];
         let _e42 = surface[g];
-        let _e46 = surface[b_4];
-        chosen_2 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
+        let _e46 = surface[b_2];
+        chosen_1 = vec4<f32>(bitcast<f32>(_e38), bitcast<f32>(_e42), bitcast<f32>(_e46), alpha_2);
     } else {
         // glimt_render_gpu/src/kernels/texture.rs:83
-        chosen_2 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_4) / 255f), alpha_2);
+        chosen_1 = vec4<f32>((f32(r) / 255f), (f32(g) / 255f), (f32(b_2) / 255f), alpha_2);
     }
-    let _e60 = chosen_2;
+    let _e60 = chosen_1;
     return _e60;
 }
 
@@ -386,12 +477,12 @@ fn TextureView_sample(this_5: TextureView, uv: vec2<f32>) -> vec4<f32> {
     let wrap_v = ((this_5.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_6 = ((_e21 * f32(this_5.width)) - 0.5f);
+    let x_8 = ((_e21 * f32(this_5.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_2 = ((_e29 * f32(this_5.height)) - 0.5f);
+    let y_4 = ((_e29 * f32(this_5.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
-    let _e38 = Tuple_f32_f32_(floor(x_6), floor(y_2));
+    let _e38 = Tuple_f32_f32_(floor(x_8), floor(y_4));
     let left = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
@@ -407,15 +498,15 @@ fn TextureView_sample(this_5: TextureView, uv: vec2<f32>) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:59
     let _e67 = TextureView_texel(this_5, (row0_ + _e44));
     let _e69 = TextureView_texel(this_5, (row0_ + _e50));
-    let _e70 = (x_6 - left);
+    let _e70 = (x_8 - left);
     let upper = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
     let _e78 = TextureView_texel(this_5, (row1_ + _e44));
     let _e80 = TextureView_texel(this_5, (row1_ + _e50));
-    let _e81 = (x_6 - left);
+    let _e81 = (x_8 - left);
     let lower = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
-    let _e88 = (y_2 - top);
+    let _e88 = (y_4 - top);
     return ((upper * (1f - _e88)) + (lower * _e88));
 }
 
@@ -447,7 +538,7 @@ fn MaterialView_sample(words_start_2: u32, words_len_2: u32, word_2: u32, textur
 // glimt_render_gpu/src/kernels/material.rs:280
 fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, vertex_alpha: f32) -> f32 {
     var alpha: f32;
-    var chosen_3: f32;
+    var chosen_2: f32;
 
     // glimt_render_gpu/src/kernels/material.rs:281
     let _e7 = MaterialView_number(words_start_3, words_len_3, 11u);
@@ -473,21 +564,21 @@ fn MaterialView_alpha(words_start_3: u32, words_len_3: u32, uv_2: vec2<f32>, ver
     // glimt_render_gpu/src/kernels/material.rs:290
     let _e31 = alpha;
     if (_e31 >= _e23) {
-        chosen_3 = 1f;
+        chosen_2 = 1f;
     } else {
-        chosen_3 = 0f;
+        chosen_2 = 0f;
     }
-    let _e35 = chosen_3;
+    let _e35 = chosen_2;
     return _e35;
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:14
-fn alpha_at(triangle_2: Triangle, u_1: f32, v_1: f32) -> f32 {
+fn alpha_at(triangle_3: Triangle, u_1: f32, v_1: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/opacity.rs:15
-    let _e6 = Attributes_at(triangle_2.attributes, u_1, v_1);
+    let _e6 = Attributes_at(triangle_3.attributes, u_1, v_1);
     // glimt_render_gpu/src/kernels/opacity.rs:16
-    let _e11 = MaterialView_new((triangle_2.material & 2147483647u));
+    let _e11 = MaterialView_new((triangle_3.material & 2147483647u));
     // glimt_render_gpu/src/kernels/opacity.rs:17
     let _e18 = MaterialView_alpha(_e11.value_words_start, _e11.value_words_len, _e6.uv, _e6.color.w);
     return _e18;
@@ -520,11 +611,11 @@ fn hash_u32_(n: u32) -> u32 {
 }
 
 // glimt_sampling/src/hash.rs:27
-fn hash2_(a_1: u32, b_1: u32) -> u32 {
+fn hash2_(a: u32, b: u32) -> u32 {
 
     // glimt_sampling/src/hash.rs:28
-    let _e4 = hash_u32_(a_1);
-    let _e6 = hash_u32_((_e4 + b_1));
+    let _e4 = hash_u32_(a);
+    let _e6 = hash_u32_((_e4 + b));
     return _e6;
 }
 
@@ -545,151 +636,207 @@ fn passes(key_1: u32, index_3: u32, alpha_1: f32) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/opacity.rs:33
-fn is_passed(index_4: u32, triangle_3: Triangle, ray_3: Ray) -> bool {
+fn is_passed(index_4: u32, triangle_4: Triangle, ray_4: Ray) -> bool {
 
     // glimt_render_gpu/src/kernels/opacity.rs:34
-    let _e5 = barycentrics(triangle_3, ray_3);
+    let _e5 = barycentrics(triangle_4, ray_4);
     // glimt_render_gpu/src/kernels/opacity.rs:35
-    let _e9 = alpha_at(triangle_3, _e5.x, _e5.y);
+    let _e9 = alpha_at(triangle_4, _e5.x, _e5.y);
     // glimt_render_gpu/src/kernels/opacity.rs:36
-    let _e12 = passes(ray_3.key, index_4, _e9);
+    let _e12 = passes(ray_4.key, index_4, _e9);
     return _e12;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:100
-fn Triangle_area_normal(this_6: Triangle) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/triangle.rs:71
+fn Triangle_b(this_6: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:101
-    return cross((this_6.v1_ - this_6.v0_), (this_6.v2_ - this_6.v0_));
+    // glimt_render_gpu/src/kernels/triangle.rs:72
+    return vec3<f32>(this_6.x.y, this_6.y.y, this_6.z.y);
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:88
-fn Triangle_outward(this_7: Triangle) -> vec3<f32> {
-    var chosen_4: vec3<f32>;
+// glimt_render_gpu/src/kernels/triangle.rs:64
+fn Triangle_a(this_7: Triangle) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:89
-    let _e3 = Triangle_area_normal(this_7);
-    // glimt_render_gpu/src/kernels/triangle.rs:90
-    if ((this_7.object & 536870912u) != 0u) {
-        // glimt_render_gpu/src/kernels/triangle.rs:91
-        chosen_4 = -(_e3);
+    // glimt_render_gpu/src/kernels/triangle.rs:65
+    return vec3<f32>(this_7.x.x, this_7.y.x, this_7.z.x);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:78
+fn Triangle_c(this_8: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:79
+    return vec3<f32>(this_8.x.z, this_8.y.z, this_8.z.z);
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:140
+fn Triangle_area_normal(this_9: Triangle) -> vec3<f32> {
+
+    // glimt_render_gpu/src/kernels/triangle.rs:141
+    let _e3 = Triangle_b(this_9);
+    let _e4 = Triangle_a(this_9);
+    let _e6 = Triangle_c(this_9);
+    let _e7 = Triangle_a(this_9);
+    return cross((_e3 - _e4), (_e6 - _e7));
+}
+
+// glimt_render_gpu/src/kernels/triangle.rs:128
+fn Triangle_outward(this_10: Triangle) -> vec3<f32> {
+    var chosen_3: vec3<f32>;
+
+    // glimt_render_gpu/src/kernels/triangle.rs:129
+    let _e3 = Triangle_area_normal(this_10);
+    // glimt_render_gpu/src/kernels/triangle.rs:130
+    if ((this_10.object & 536870912u) != 0u) {
+        // glimt_render_gpu/src/kernels/triangle.rs:131
+        chosen_3 = -(_e3);
     } else {
-        // glimt_render_gpu/src/kernels/triangle.rs:93
-        chosen_4 = _e3;
+        // glimt_render_gpu/src/kernels/triangle.rs:133
+        chosen_3 = _e3;
     }
-    let _e14 = chosen_4;
+    let _e14 = chosen_3;
     return _e14;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:225
-fn any_hit_of(ray_4: Ray, t_max_1: f32, asked: Asked) -> bool {
+// glimt_render_gpu/src/kernels/bvh.rs:252
+fn any_hit_of(ray_5: Ray, t_max_1: f32, asked: Asked) -> bool {
     var stack: array<u32, 64>;
     var height: u32;
+    var node_2: BvhNode;
+    var met: Met;
     var counter: u32;
     var both: bool;
+    var counter_1: u32;
     var both_1: bool;
     var both_2: bool;
     var both_3: bool;
     var both_4: bool;
+    var both_5: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:233
+    // glimt_render_gpu/src/kernels/bvh.rs:260
     if (arrayLength((&nodes)) == 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:234
+        // glimt_render_gpu/src/kernels/bvh.rs:261
         return false;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:236
+    // glimt_render_gpu/src/kernels/bvh.rs:263
     stack = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:237
+    // glimt_render_gpu/src/kernels/bvh.rs:264
     height = 1u;
-    // glimt_render_gpu/src/kernels/bvh.rs:238
+    // glimt_render_gpu/src/kernels/bvh.rs:265
     loop {
         let _e19 = height;
         if !((_e19 > 0u)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:239
+        // glimt_render_gpu/src/kernels/bvh.rs:266
         let _e25 = height;
         height = (_e25 - 1u);
-        // glimt_render_gpu/src/kernels/bvh.rs:240
+        // glimt_render_gpu/src/kernels/bvh.rs:267
         let _e28 = height;
-        let _e30 = stack[_e28];
-        let node_1 = nodes[_e30];
-        // glimt_render_gpu/src/kernels/bvh.rs:241
-        let _e35 = box_distance(node_1, ray_4);
-        if (_e35 < t_max_1) {
-            // glimt_render_gpu/src/kernels/bvh.rs:242
-            if (node_1.count == 0u) {
-                // glimt_render_gpu/src/kernels/bvh.rs:243
-                let _e43 = height;
-                stack[_e43] = node_1.first;
-                // glimt_render_gpu/src/kernels/bvh.rs:244
-                let _e49 = height;
-                stack[(_e49 + 1u)] = (node_1.first + 1u);
-                // glimt_render_gpu/src/kernels/bvh.rs:245
-                let _e55 = height;
-                height = (_e55 + 2u);
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:247
-            counter = node_1.first;
+        let at_1 = stack[_e28];
+        // glimt_render_gpu/src/kernels/bvh.rs:268
+        if (at_1 < 2147483648u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:269
+            let _e37 = nodes[at_1];
+            node_2 = _e37;
+            // glimt_render_gpu/src/kernels/bvh.rs:270
+            let _e40 = node_2;
+            let _e41 = meet(_e40, ray_5, t_max_1);
+            met = _e41;
+            // glimt_render_gpu/src/kernels/bvh.rs:271
+            counter = 0u;
             loop {
                 let i = counter;
-                if (i >= (node_1.first + node_1.count)) {
+                if (i >= 4u) {
                     break;
                 }
-                // glimt_render_gpu/src/kernels/bvh.rs:248
-                let triangle_5 = triangles[i];
-                // glimt_render_gpu/src/kernels/bvh.rs:249
-                let _e70 = Triangle_is_catcher(triangle_5);
-                let _e71 = !(_e70);
-                both = _e71;
-                if _e71 {
-                    let _e73 = Triangle_object_index(triangle_5);
-                    both = ((_e73 == asked.object) == asked.own);
+                // glimt_render_gpu/src/kernels/bvh.rs:272
+                let _e51 = met.children;
+                let _e58 = (((_e51 >> (i & 31u)) & 1u) != 0u);
+                both = _e58;
+                if _e58 {
+                    let _e62 = node_2.children[i];
+                    both = (_e62 > 0u);
                 }
-                let _e78 = both;
-                if _e78 {
-                    // glimt_render_gpu/src/kernels/bvh.rs:251
-                    let _e80 = intersect(triangle_5, ray_4, t_max_1);
-                    // glimt_render_gpu/src/kernels/bvh.rs:252
-                    let _e82 = (_e80 < t_max_1);
-                    both_1 = _e82;
-                    if _e82 {
-                        let _e84 = Triangle_is_see_through(triangle_5);
-                        both_2 = _e84;
-                        if _e84 {
-                            let _e86 = is_passed(i, triangle_5, ray_4);
-                            both_2 = _e86;
+                let _e65 = both;
+                if _e65 {
+                    // glimt_render_gpu/src/kernels/bvh.rs:273
+                    let _e69 = node_2.children[i];
+                    let _e70 = height;
+                    stack[_e70] = _e69;
+                    // glimt_render_gpu/src/kernels/bvh.rs:274
+                    let _e74 = height;
+                    height = (_e74 + 1u);
+                }
+                continuing {
+                    let _e76 = counter;
+                    counter = (_e76 + 1u);
+                }
+            }
+        } else {
+            // glimt_render_gpu/src/kernels/bvh.rs:278
+            let first_5 = (at_1 - 2147483648u);
+            // glimt_render_gpu/src/kernels/bvh.rs:279
+            let _e86 = triangles[first_5].run;
+            counter_1 = first_5;
+            loop {
+                let i_1 = counter_1;
+                if (i_1 >= (first_5 + _e86)) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/bvh.rs:280
+                let triangle_6 = triangles[i_1];
+                // glimt_render_gpu/src/kernels/bvh.rs:281
+                let _e96 = Triangle_is_catcher(triangle_6);
+                let _e97 = !(_e96);
+                both_1 = _e97;
+                if _e97 {
+                    let _e99 = Triangle_object_index(triangle_6);
+                    both_1 = ((_e99 == asked.object) == asked.own);
+                }
+                let _e104 = both_1;
+                if _e104 {
+                    // glimt_render_gpu/src/kernels/bvh.rs:283
+                    let _e106 = intersect(triangle_6, ray_5, t_max_1);
+                    // glimt_render_gpu/src/kernels/bvh.rs:284
+                    let _e108 = (_e106 < t_max_1);
+                    both_2 = _e108;
+                    if _e108 {
+                        let _e110 = Triangle_is_see_through(triangle_6);
+                        both_3 = _e110;
+                        if _e110 {
+                            let _e112 = is_passed(i_1, triangle_6, ray_5);
+                            both_3 = _e112;
                         }
-                        let _e87 = both_2;
-                        both_1 = !(_e87);
+                        let _e113 = both_3;
+                        both_2 = !(_e113);
                     }
-                    let is_met = both_1;
-                    // glimt_render_gpu/src/kernels/bvh.rs:254
-                    both_3 = is_met;
+                    let is_met = both_2;
+                    // glimt_render_gpu/src/kernels/bvh.rs:286
+                    both_4 = is_met;
                     if is_met {
-                        let _e93 = (_e80 < asked.near);
-                        both_4 = _e93;
-                        if _e93 {
-                            let _e95 = Triangle_outward(triangle_5);
-                            both_4 = (dot(_e95, asked.way) > 0f);
+                        let _e119 = (_e106 < asked.near);
+                        both_5 = _e119;
+                        if _e119 {
+                            let _e121 = Triangle_outward(triangle_6);
+                            both_5 = (dot(_e121, asked.way) > 0f);
                         }
-                        let _e100 = both_4;
-                        both_3 = !(_e100);
+                        let _e126 = both_5;
+                        both_4 = !(_e126);
                     }
-                    let _e102 = both_3;
-                    if _e102 {
-                        // glimt_render_gpu/src/kernels/bvh.rs:255
+                    let _e128 = both_4;
+                    if _e128 {
+                        // glimt_render_gpu/src/kernels/bvh.rs:287
                         return true;
                     }
                 }
                 continuing {
-                    let _e105 = counter;
-                    counter = (_e105 + 1u);
+                    let _e131 = counter_1;
+                    counter_1 = (_e131 + 1u);
                 }
             }
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:261
+    // glimt_render_gpu/src/kernels/bvh.rs:293
     return false;
 }
 
@@ -807,38 +954,38 @@ fn Xoshiro128PlusPlus_stream(seed: u32, frame: u32, pixel: u32) -> Xoshiro128Plu
 fn strata_of_row(params: TransferParams, row: u32) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/transfer.rs:161
-    let first_4 = ((row * params.directions) / params.rows);
+    let first_6 = ((row * params.directions) / params.rows);
     // glimt_render_gpu/src/kernels/transfer.rs:162
-    let next = (((row + 1u) * params.directions) / params.rows);
+    let next_1 = (((row + 1u) * params.directions) / params.rows);
     // glimt_render_gpu/src/kernels/transfer.rs:163
-    return vec2<u32>(first_4, (next - first_4));
+    return vec2<u32>(first_6, (next_1 - first_6));
 }
 
 // glimt_sampling/src/xoshiro.rs:56
-fn Xoshiro128PlusPlus_next_u32_(this_8: ptr<function, Xoshiro128PlusPlus>) -> u32 {
+fn Xoshiro128PlusPlus_next_u32_(this_11: ptr<function, Xoshiro128PlusPlus>) -> u32 {
 
     // glimt_sampling/src/xoshiro.rs:57
-    let s = (*this_8).state;
+    let s = (*this_11).state;
     // glimt_sampling/src/xoshiro.rs:58
     let _e8 = (s.x + s.w);
     let result = (((_e8 << 7u) | (_e8 >> ((0u - 7u) & 31u))) + s.x);
     // glimt_sampling/src/xoshiro.rs:59
-    let z_5 = (s.z ^ s.x);
+    let z_7 = (s.z ^ s.x);
     // glimt_sampling/src/xoshiro.rs:60
-    let w_2 = (s.w ^ s.y);
+    let w_3 = (s.w ^ s.y);
     // glimt_sampling/src/xoshiro.rs:61
-    (*this_8).state = vec4<u32>((s.x ^ w_2), (s.y ^ z_5), (z_5 ^ (s.y << 9u)), ((w_2 << 11u) | (w_2 >> ((0u - 11u) & 31u))));
+    (*this_11).state = vec4<u32>((s.x ^ w_3), (s.y ^ z_7), (z_7 ^ (s.y << 9u)), ((w_3 << 11u) | (w_3 >> ((0u - 11u) & 31u))));
     // glimt_sampling/src/xoshiro.rs:62
     return result;
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_9: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_12: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_9);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_12);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_9);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_12);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
@@ -854,38 +1001,38 @@ fn unit_vec2_(u_3: vec2<u32>) -> vec2<f32> {
 
 // glimt_probe/src/trig.rs:25
 fn cos_sin_pi(x_4: f32) -> vec2<f32> {
-    var chosen_5: vec2<f32>;
+    var chosen_4: vec2<f32>;
 
     // glimt_probe/src/trig.rs:27
     let quarter = floor(((2f * x_4) + 0.5f));
     // glimt_probe/src/trig.rs:28
-    let y_3 = (x_4 - (0.5f * quarter));
+    let y_5 = (x_4 - (0.5f * quarter));
     // glimt_probe/src/trig.rs:29
-    let y2_ = (y_3 * y_3);
+    let y2_1 = (y_5 * y_5);
     // glimt_probe/src/trig.rs:31
-    let c_3 = (1f + (y2_ * (-4.934802f + (y2_ * (4.058712f + (y2_ * (-1.3352627f + (y2_ * (0.23533063f + (y2_ * -0.02580689f))))))))));
+    let c_1 = (1f + (y2_1 * (-4.934802f + (y2_1 * (4.058712f + (y2_1 * (-1.3352627f + (y2_1 * (0.23533063f + (y2_1 * -0.02580689f))))))))));
     // glimt_probe/src/trig.rs:34
-    let s_1 = (y_3 * (3.1415927f + (y2_ * (-5.1677127f + (y2_ * (2.550164f + (y2_ * (-0.5992645f + (y2_ * 0.082145885f)))))))));
+    let s_1 = (y_5 * (3.1415927f + (y2_1 * (-5.1677127f + (y2_1 * (2.550164f + (y2_1 * (-0.5992645f + (y2_1 * 0.082145885f)))))))));
     // glimt_probe/src/trig.rs:37
     let _e49 = (i32(quarter) & 3i);
     if (_e49 == 0i) {
         // glimt_probe/src/trig.rs:38
-        chosen_5 = vec2<f32>(c_3, (s_1 + 0f));
+        chosen_4 = vec2<f32>(c_1, (s_1 + 0f));
     } else {
         if (_e49 == 1i) {
             // glimt_probe/src/trig.rs:39
-            chosen_5 = vec2<f32>((0f - s_1), c_3);
+            chosen_4 = vec2<f32>((0f - s_1), c_1);
         } else {
             if (_e49 == 2i) {
                 // glimt_probe/src/trig.rs:40
-                chosen_5 = vec2<f32>((0f - c_3), (0f - s_1));
+                chosen_4 = vec2<f32>((0f - c_1), (0f - s_1));
             } else {
                 // glimt_probe/src/trig.rs:41
-                chosen_5 = vec2<f32>((s_1 + 0f), (0f - c_3));
+                chosen_4 = vec2<f32>((s_1 + 0f), (0f - c_1));
             }
         }
     }
-    let _e77 = chosen_5;
+    let _e77 = chosen_4;
     return _e77;
 }
 
@@ -904,307 +1051,269 @@ fn direction_in_row(n_1: u32, first_2: u32, columns: u32, column: u32, u_4: vec2
 }
 
 // glimt_sampling/src/hash.rs:34
-fn hash3_(a_2: u32, b_2: u32, c_1: u32) -> u32 {
+fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
 
     // glimt_sampling/src/hash.rs:35
-    let _e5 = hash2_(a_2, b_2);
-    let _e7 = hash_u32_((_e5 + c_1));
+    let _e5 = hash2_(a_1, b_1);
+    let _e7 = hash_u32_((_e5 + c));
     return _e7;
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:66
-fn Triangle_ray_offset(this_10: Triangle) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:106
+fn Triangle_ray_offset(this_13: Triangle) -> f32 {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:67
-    let extent = max(max(abs(this_10.v0_), abs(this_10.v1_)), abs(this_10.v2_));
-    // glimt_render_gpu/src/kernels/triangle.rs:68
-    return (0.0000038146973f * max(max(extent.x, extent.y), extent.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:107
+    let extent = max(max(abs(this_13.x), abs(this_13.y)), abs(this_13.z));
+    // glimt_render_gpu/src/kernels/triangle.rs:108
+    return (0.0000038146973f * max(max(max(extent.x, extent.y), extent.z), extent.w));
 }
 
-// glimt_render_gpu/src/kernels/triangle.rs:74
-fn Triangle_setback(this_11: Triangle, ray_5: Ray, t: f32) -> f32 {
+// glimt_render_gpu/src/kernels/triangle.rs:114
+fn Triangle_setback(this_14: Triangle, ray_6: Ray, t: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/triangle.rs:75
-    let _e5 = Triangle_area_normal(this_11);
-    // glimt_render_gpu/src/kernels/triangle.rs:76
-    let across = abs(dot(_e5, ray_5.direction));
-    // glimt_render_gpu/src/kernels/triangle.rs:77
-    let _e12 = Triangle_ray_offset(this_11);
-    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_5.direction, ray_5.direction)))));
-    // glimt_render_gpu/src/kernels/triangle.rs:82
+    // glimt_render_gpu/src/kernels/triangle.rs:115
+    let _e5 = Triangle_area_normal(this_14);
+    // glimt_render_gpu/src/kernels/triangle.rs:116
+    let across = abs(dot(_e5, ray_6.direction));
+    // glimt_render_gpu/src/kernels/triangle.rs:117
+    let _e12 = Triangle_ray_offset(this_14);
+    let apart = (2f * max(_e12, ((0.0000038146973f * t) * sqrt(dot(ray_6.direction, ray_6.direction)))));
+    // glimt_render_gpu/src/kernels/triangle.rs:122
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:187
-fn held(index_5: u32, triangle_4: Triangle, ray_6: Ray, t_1: f32, no_catcher: bool) -> f32 {
-    var both_5: bool;
+// glimt_render_gpu/src/kernels/bvh.rs:214
+fn held(index_5: u32, triangle_5: Triangle, ray_7: Ray, t_1: f32, no_catcher: bool) -> f32 {
+    var both_6: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:195
-    let _e7 = Triangle_is_see_through(triangle_4);
-    both_5 = _e7;
+    // glimt_render_gpu/src/kernels/bvh.rs:222
+    let _e7 = Triangle_is_see_through(triangle_5);
+    both_6 = _e7;
     if _e7 {
-        let _e9 = is_passed(index_5, triangle_4, ray_6);
-        both_5 = _e9;
+        let _e9 = is_passed(index_5, triangle_5, ray_7);
+        both_6 = _e9;
     }
-    let _e10 = both_5;
+    let _e10 = both_6;
     if _e10 {
-        // glimt_render_gpu/src/kernels/bvh.rs:196
+        // glimt_render_gpu/src/kernels/bvh.rs:223
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:198
-    let _e14 = Triangle_is_catcher(triangle_4);
+    // glimt_render_gpu/src/kernels/bvh.rs:225
+    let _e14 = Triangle_is_catcher(triangle_5);
     if !(_e14) {
-        // glimt_render_gpu/src/kernels/bvh.rs:199
+        // glimt_render_gpu/src/kernels/bvh.rs:226
         return t_1;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:201
+    // glimt_render_gpu/src/kernels/bvh.rs:228
     if no_catcher {
-        // glimt_render_gpu/src/kernels/bvh.rs:202
+        // glimt_render_gpu/src/kernels/bvh.rs:229
         return 0x1.fffffep+127f;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:204
-    let _e21 = Triangle_setback(triangle_4, ray_6, t_1);
+    // glimt_render_gpu/src/kernels/bvh.rs:231
+    let _e21 = Triangle_setback(triangle_5, ray_7, t_1);
     return (t_1 + _e21);
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:160
-fn visit_leaf(leaf: BvhNode, ray_7: Ray, reach: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
+// glimt_render_gpu/src/kernels/bvh.rs:187
+fn visit_leaf(first_3: u32, ray_8: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
-    var counter_1: u32;
+    var counter_2: u32;
     var t_2: f32;
-    var both_6: bool;
+    var both_7: bool;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:169
+    // glimt_render_gpu/src/kernels/bvh.rs:196
     nearest = best;
-    // glimt_render_gpu/src/kernels/bvh.rs:170
-    counter_1 = leaf.first;
+    // glimt_render_gpu/src/kernels/bvh.rs:197
+    let _e12 = triangles[first_3].run;
+    counter_2 = first_3;
     loop {
-        let i_1 = counter_1;
-        if (i_1 >= (leaf.first + leaf.count)) {
+        let i_2 = counter_2;
+        if (i_2 >= (first_3 + _e12)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:171
-        let _e19 = triangles[i_1];
-        let _e20 = (*reach);
-        let _e21 = intersect(_e19, ray_7, _e20);
-        t_2 = _e21;
-        // glimt_render_gpu/src/kernels/bvh.rs:173
-        let _e24 = t_2;
-        let _e25 = (*reach);
-        let _e26 = (_e24 < _e25);
-        both_6 = _e26;
-        if _e26 {
-            let _e31 = triangles[i_1].object;
-            both_6 = (_e31 >= 1073741824u);
+        // glimt_render_gpu/src/kernels/bvh.rs:198
+        let _e20 = triangles[i_2];
+        let _e21 = (*reach_1);
+        let _e22 = intersect(_e20, ray_8, _e21);
+        t_2 = _e22;
+        // glimt_render_gpu/src/kernels/bvh.rs:200
+        let _e25 = t_2;
+        let _e26 = (*reach_1);
+        let _e27 = (_e25 < _e26);
+        both_7 = _e27;
+        if _e27 {
+            let _e32 = triangles[i_2].object;
+            both_7 = (_e32 >= 1073741824u);
         }
-        let _e34 = both_6;
-        if _e34 {
-            // glimt_render_gpu/src/kernels/bvh.rs:174
-            let _e38 = triangles[i_1];
-            let _e39 = t_2;
-            let _e40 = held(i_1, _e38, ray_7, _e39, no_catcher_1);
-            t_2 = _e40;
+        let _e35 = both_7;
+        if _e35 {
+            // glimt_render_gpu/src/kernels/bvh.rs:201
+            let _e39 = triangles[i_2];
+            let _e40 = t_2;
+            let _e41 = held(i_2, _e39, ray_8, _e40, no_catcher_1);
+            t_2 = _e41;
         }
-        // glimt_render_gpu/src/kernels/bvh.rs:176
-        let _e42 = t_2;
-        let _e43 = (*reach);
-        if (_e42 < _e43) {
-            // glimt_render_gpu/src/kernels/bvh.rs:177
-            let _e46 = t_2;
-            (*reach) = _e46;
-            // glimt_render_gpu/src/kernels/bvh.rs:178
-            nearest = i_1;
+        // glimt_render_gpu/src/kernels/bvh.rs:203
+        let _e43 = t_2;
+        let _e44 = (*reach_1);
+        if (_e43 < _e44) {
+            // glimt_render_gpu/src/kernels/bvh.rs:204
+            let _e47 = t_2;
+            (*reach_1) = _e47;
+            // glimt_render_gpu/src/kernels/bvh.rs:205
+            nearest = i_2;
         }
         continuing {
-            let _e48 = counter_1;
-            counter_1 = (_e48 + 1u);
+            let _e49 = counter_2;
+            counter_2 = (_e49 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:181
-    let _e52 = nearest;
-    return _e52;
+    // glimt_render_gpu/src/kernels/bvh.rs:208
+    let _e53 = nearest;
+    return _e53;
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:91
-fn traverse(ray_8: Ray, reach_1: ptr<function, f32>, any_: bool) -> u32 {
-    var either: bool;
+// glimt_render_gpu/src/kernels/bvh.rs:125
+fn traverse(ray_9: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var best_1: u32;
     var stack_1: array<u32, 64>;
     var height_1: u32;
-    var pair: u32;
-    var near: BvhNode;
-    var far: BvhNode;
-    var t_near: f32;
-    var t_far: f32;
-    var into_near: bool;
-    var into_far: bool;
+    var at: u32;
+    var next: u32;
+    var node_3: BvhNode;
+    var met_1: Met;
+    var distance_: f32;
+    var counter_3: u32;
+    var waiting: u32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:99
-    let _e8 = (arrayLength((&nodes)) == 0u);
-    either = _e8;
-    if _e8 {
-    } else {
-        let _e13 = nodes[0u];
-        let _e14 = box_distance(_e13, ray_8);
-        let _e15 = (*reach_1);
-        either = (_e14 >= _e15);
-    }
-    let _e17 = either;
-    if _e17 {
-        // glimt_render_gpu/src/kernels/bvh.rs:100
+    // glimt_render_gpu/src/kernels/bvh.rs:133
+    if (arrayLength((&nodes)) == 0u) {
+        // glimt_render_gpu/src/kernels/bvh.rs:134
         return 4294967295u;
     }
-    // glimt_render_gpu/src/kernels/bvh.rs:102
-    let root = nodes[0u];
-    // glimt_render_gpu/src/kernels/bvh.rs:103
-    if (root.count > 0u) {
-        // glimt_render_gpu/src/kernels/bvh.rs:104
-        let _e31 = visit_leaf(root, ray_8, reach_1, 4294967295u, any_);
-        return _e31;
-    }
-    // glimt_render_gpu/src/kernels/bvh.rs:106
+    // glimt_render_gpu/src/kernels/bvh.rs:136
     best_1 = 4294967295u;
-    // glimt_render_gpu/src/kernels/bvh.rs:107
+    // glimt_render_gpu/src/kernels/bvh.rs:137
     stack_1 = array<u32, 64>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    // glimt_render_gpu/src/kernels/bvh.rs:108
+    // glimt_render_gpu/src/kernels/bvh.rs:138
     height_1 = 0u;
-    // glimt_render_gpu/src/kernels/bvh.rs:109
-    pair = root.first;
-    // glimt_render_gpu/src/kernels/bvh.rs:110
+    // glimt_render_gpu/src/kernels/bvh.rs:139
+    at = 0u;
+    // glimt_render_gpu/src/kernels/bvh.rs:140
     loop {
-        // glimt_render_gpu/src/kernels/bvh.rs:111
-        let _e47 = pair;
-        let _e50 = nodes[_e47];
-        near = _e50;
-        // glimt_render_gpu/src/kernels/bvh.rs:112
-        let _e53 = pair;
-        let _e58 = nodes[(_e53 + 1u)];
-        far = _e58;
-        // glimt_render_gpu/src/kernels/bvh.rs:113
-        let _e61 = near;
-        let _e62 = box_distance(_e61, ray_8);
-        t_near = _e62;
-        // glimt_render_gpu/src/kernels/bvh.rs:114
-        let _e65 = far;
-        let _e66 = box_distance(_e65, ray_8);
-        t_far = _e66;
-        // glimt_render_gpu/src/kernels/bvh.rs:116
-        let _e69 = t_near;
-        let _e70 = t_far;
-        if (_e69 > _e70) {
-            // glimt_render_gpu/src/kernels/bvh.rs:117
-            let node_2 = near;
-            // glimt_render_gpu/src/kernels/bvh.rs:118
-            let _e75 = far;
-            near = _e75;
-            // glimt_render_gpu/src/kernels/bvh.rs:119
-            far = node_2;
-            // glimt_render_gpu/src/kernels/bvh.rs:120
-            let t_6 = t_near;
-            // glimt_render_gpu/src/kernels/bvh.rs:121
-            let _e80 = t_far;
-            t_near = _e80;
-            // glimt_render_gpu/src/kernels/bvh.rs:122
-            t_far = t_6;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:124
-        let _e83 = t_near;
-        let _e84 = (*reach_1);
-        into_near = (_e83 < _e84);
-        // glimt_render_gpu/src/kernels/bvh.rs:125
-        let _e88 = into_near;
-        let _e90 = near.count;
-        if (_e88 && (_e90 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:126
-            let _e95 = near;
-            let _e96 = best_1;
-            let _e97 = visit_leaf(_e95, ray_8, reach_1, _e96, any_);
-            best_1 = _e97;
-            // glimt_render_gpu/src/kernels/bvh.rs:127
-            let _e99 = best_1;
-            if (any_ && (_e99 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:128
-                let _e104 = best_1;
-                return _e104;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:130
-            into_near = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:132
-        let _e108 = t_far;
-        let _e109 = (*reach_1);
-        into_far = (_e108 < _e109);
-        // glimt_render_gpu/src/kernels/bvh.rs:133
-        let _e113 = into_far;
-        let _e115 = far.count;
-        if (_e113 && (_e115 > 0u)) {
-            // glimt_render_gpu/src/kernels/bvh.rs:134
-            let _e120 = far;
-            let _e121 = best_1;
-            let _e122 = visit_leaf(_e120, ray_8, reach_1, _e121, any_);
-            best_1 = _e122;
-            // glimt_render_gpu/src/kernels/bvh.rs:135
-            let _e124 = best_1;
-            if (any_ && (_e124 != 4294967295u)) {
-                // glimt_render_gpu/src/kernels/bvh.rs:136
-                let _e129 = best_1;
-                return _e129;
-            }
-            // glimt_render_gpu/src/kernels/bvh.rs:138
-            into_far = false;
-        }
-        // glimt_render_gpu/src/kernels/bvh.rs:140
-        let _e133 = into_near;
-        if _e133 {
-            // glimt_render_gpu/src/kernels/bvh.rs:141
-            let _e136 = near.first;
-            pair = _e136;
-            // glimt_render_gpu/src/kernels/bvh.rs:142
-            let _e138 = into_far;
-            if _e138 {
-                // glimt_render_gpu/src/kernels/bvh.rs:143
-                let _e141 = far.first;
-                let _e142 = height_1;
-                stack_1[_e142] = _e141;
-                // glimt_render_gpu/src/kernels/bvh.rs:144
-                let _e146 = height_1;
-                height_1 = (_e146 + 1u);
-            }
-        } else {
-            let _e148 = into_far;
-            if _e148 {
-                // glimt_render_gpu/src/kernels/bvh.rs:147
-                let _e151 = far.first;
-                pair = _e151;
-            } else {
-                let _e152 = height_1;
-                if (_e152 > 0u) {
-                    // glimt_render_gpu/src/kernels/bvh.rs:149
-                    let _e157 = height_1;
-                    height_1 = (_e157 - 1u);
-                    // glimt_render_gpu/src/kernels/bvh.rs:150
-                    let _e160 = height_1;
-                    let _e162 = stack_1[_e160];
-                    pair = _e162;
-                } else {
+        // glimt_render_gpu/src/kernels/bvh.rs:142
+        next = 0u;
+        // glimt_render_gpu/src/kernels/bvh.rs:143
+        let _e29 = at;
+        if (_e29 < 2147483648u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:144
+            let _e33 = at;
+            let _e36 = nodes[_e33];
+            node_3 = _e36;
+            // glimt_render_gpu/src/kernels/bvh.rs:145
+            let _e39 = node_3;
+            let _e40 = (*reach_2);
+            let _e41 = meet(_e39, ray_9, _e40);
+            met_1 = _e41;
+            // glimt_render_gpu/src/kernels/bvh.rs:146
+            distance_ = 0x1.fffffep+127f;
+            // glimt_render_gpu/src/kernels/bvh.rs:148
+            counter_3 = 0u;
+            loop {
+                let i_3 = counter_3;
+                if (i_3 >= 4u) {
+                    break;
+                }
+                // glimt_render_gpu/src/kernels/bvh.rs:149
+                let child = node_3.children[i_3];
+                // glimt_render_gpu/src/kernels/bvh.rs:150
+                let _e58 = met_1.children;
+                if (((_e58 >> (i_3 & 31u)) & 1u) != 0u) {
                     // glimt_render_gpu/src/kernels/bvh.rs:152
-                    let _e164 = best_1;
-                    return _e164;
+                    let _e67 = next;
+                    waiting = _e67;
+                    // glimt_render_gpu/src/kernels/bvh.rs:153
+                    if any_ {
+                        // glimt_render_gpu/src/kernels/bvh.rs:154
+                        next = child;
+                    } else {
+                        let _e73 = met_1.distances[i_3];
+                        let _e74 = distance_;
+                        if (_e73 < _e74) {
+                            // glimt_render_gpu/src/kernels/bvh.rs:156
+                            let _e79 = met_1.distances[i_3];
+                            distance_ = _e79;
+                            // glimt_render_gpu/src/kernels/bvh.rs:157
+                            next = child;
+                        } else {
+                            // glimt_render_gpu/src/kernels/bvh.rs:159
+                            waiting = child;
+                        }
+                    }
+                    // glimt_render_gpu/src/kernels/bvh.rs:161
+                    let _e83 = waiting;
+                    if (_e83 > 0u) {
+                        // glimt_render_gpu/src/kernels/bvh.rs:162
+                        let _e87 = waiting;
+                        let _e88 = height_1;
+                        stack_1[_e88] = _e87;
+                        // glimt_render_gpu/src/kernels/bvh.rs:163
+                        let _e92 = height_1;
+                        height_1 = (_e92 + 1u);
+                    }
+                }
+                continuing {
+                    let _e94 = counter_3;
+                    counter_3 = (_e94 + 1u);
                 }
             }
+        } else {
+            // glimt_render_gpu/src/kernels/bvh.rs:168
+            let _e98 = at;
+            let _e101 = best_1;
+            let _e102 = visit_leaf((_e98 - 2147483648u), ray_9, reach_2, _e101, any_);
+            best_1 = _e102;
+            // glimt_render_gpu/src/kernels/bvh.rs:169
+            let _e104 = best_1;
+            if (any_ && (_e104 != 4294967295u)) {
+                // glimt_render_gpu/src/kernels/bvh.rs:170
+                let _e109 = best_1;
+                return _e109;
+            }
         }
+        // glimt_render_gpu/src/kernels/bvh.rs:173
+        let _e111 = next;
+        if (_e111 == 0u) {
+            // glimt_render_gpu/src/kernels/bvh.rs:174
+            let _e115 = height_1;
+            if (_e115 == 0u) {
+                // glimt_render_gpu/src/kernels/bvh.rs:175
+                let _e119 = best_1;
+                return _e119;
+            }
+            // glimt_render_gpu/src/kernels/bvh.rs:177
+            let _e122 = height_1;
+            height_1 = (_e122 - 1u);
+            // glimt_render_gpu/src/kernels/bvh.rs:178
+            let _e125 = height_1;
+            let _e127 = stack_1[_e125];
+            next = _e127;
+        }
+        // glimt_render_gpu/src/kernels/bvh.rs:180
+        let _e129 = next;
+        at = _e129;
     }
     return u32();
 }
 
-// glimt_render_gpu/src/kernels/bvh.rs:73
-fn any_hit(ray_9: Ray, t_max_2: f32) -> bool {
+// glimt_render_gpu/src/kernels/bvh.rs:108
+fn any_hit(ray_10: Ray, t_max_2: f32) -> bool {
     var t_3: f32;
 
-    // glimt_render_gpu/src/kernels/bvh.rs:80
+    // glimt_render_gpu/src/kernels/bvh.rs:115
     t_3 = t_max_2;
-    // glimt_render_gpu/src/kernels/bvh.rs:81
-    let _e7 = traverse(ray_9, (&t_3), true);
+    // glimt_render_gpu/src/kernels/bvh.rs:116
+    let _e7 = traverse(ray_10, (&t_3), true);
     return (_e7 != 4294967295u);
 }
 
@@ -1226,27 +1335,27 @@ fn zonal_2_(z_1: f32) -> array<f32, 3> {
 fn zonal_3_(z_2: f32) -> array<f32, 4> {
 
     // glimt_sh/src/basis.rs:91
-    let t_7 = (z_2 * z_2);
+    let t_6 = (z_2 * z_2);
     // glimt_sh/src/basis.rs:92
-    return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_7) - 3f)), (0.4570458f * ((5f * t_7) - 1f)), (1.4453057f * z_2), 0.5900436f);
+    return array<f32, 4>(((0.37317634f * z_2) * ((5f * t_6) - 3f)), (0.4570458f * ((5f * t_6) - 1f)), (1.4453057f * z_2), 0.5900436f);
 }
 
 // glimt_sh/src/basis.rs:103
 fn zonal_4_(z_3: f32) -> array<f32, 5> {
 
     // glimt_sh/src/basis.rs:104
-    let t_8 = (z_3 * z_3);
+    let t_7 = (z_3 * z_3);
     // glimt_sh/src/basis.rs:105
-    return array<f32, 5>((0.10578555f * ((((35f * t_8) - 30f) * t_8) + 3f)), ((0.6690465f * z_3) * ((7f * t_8) - 3f)), (0.47308734f * ((7f * t_8) - 1f)), (1.7701308f * z_3), 0.6258357f);
+    return array<f32, 5>((0.10578555f * ((((35f * t_7) - 30f) * t_7) + 3f)), ((0.6690465f * z_3) * ((7f * t_7) - 3f)), (0.47308734f * ((7f * t_7) - 1f)), (1.7701308f * z_3), 0.6258357f);
 }
 
 // glimt_sh/src/basis.rs:117
 fn zonal_5_(z_4: f32) -> array<f32, 6> {
 
     // glimt_sh/src/basis.rs:118
-    let t_9 = (z_4 * z_4);
+    let t_8 = (z_4 * z_4);
     // glimt_sh/src/basis.rs:119
-    return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_9) - 70f) * t_9) + 15f)), (0.45294666f * ((((21f * t_9) - 14f) * t_9) + 1f)), ((2.3967683f * z_4) * ((3f * t_9) - 1f)), (0.4892383f * ((9f * t_9) - 1f)), (2.0756624f * z_4), 0.6563821f);
+    return array<f32, 6>(((0.116950326f * z_4) * ((((63f * t_8) - 70f) * t_8) + 15f)), (0.45294666f * ((((21f * t_8) - 14f) * t_8) + 1f)), ((2.3967683f * z_4) * ((3f * t_8) - 1f)), (0.4892383f * ((9f * t_8) - 1f)), (2.0756624f * z_4), 0.6563821f);
 }
 
 // glimt_sh/src/basis.rs:224
@@ -1781,13 +1890,13 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
     var source: Xoshiro128PlusPlus;
     var kept_2: f32;
     var gone: u32;
-    var counter_2: u32;
-    var counter_3: u32;
-    var chosen_6: bool;
-    var either_1: bool;
+    var counter_4: u32;
+    var counter_5: u32;
+    var chosen_5: bool;
+    var either: bool;
 
     // glimt_render_gpu/src/kernels/transfer.rs:80
-    let at = vertices[vertex];
+    let at_2 = vertices[vertex];
     // glimt_render_gpu/src/kernels/transfer.rs:81
     let _e15 = Tuple_u32_u32_(params_1.directions, params_1.bands);
     let n_2 = _e15.fa;
@@ -1799,19 +1908,19 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
     // glimt_render_gpu/src/kernels/transfer.rs:84
     rays = 0u;
     // glimt_render_gpu/src/kernels/transfer.rs:87
-    let way = (at.origin - at.inner);
+    let way = (at_2.origin - at_2.inner);
     // glimt_render_gpu/src/kernels/transfer.rs:88
-    let _e35 = Ray_new(at.inner, way);
+    let _e35 = Ray_new(at_2.inner, way);
     // glimt_render_gpu/src/kernels/transfer.rs:89
-    let others = Asked(at.object, false, 1f, way);
+    let others = Asked(at_2.object, false, 1f, way);
     // glimt_render_gpu/src/kernels/transfer.rs:95
     let _e43 = any_hit_of(_e35, 1f, others);
     // glimt_render_gpu/src/kernels/transfer.rs:96
     let own = Asked(others.object, true, 0f, others.way);
     // glimt_render_gpu/src/kernels/transfer.rs:101
-    let height_2 = dot(at.normal, way);
+    let height_2 = dot(at_2.normal, way);
     // glimt_render_gpu/src/kernels/transfer.rs:102
-    let _e57 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at.number);
+    let _e57 = Xoshiro128PlusPlus_stream(params_1.seed, 1953653102u, at_2.number);
     source = _e57;
     // glimt_render_gpu/src/kernels/transfer.rs:103
     kept_2 = 0f;
@@ -1835,9 +1944,9 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
         gone = _e100;
     }
     // glimt_render_gpu/src/kernels/transfer.rs:111
-    counter_2 = params_1.first_row;
+    counter_4 = params_1.first_row;
     loop {
-        let row_1 = counter_2;
+        let row_1 = counter_4;
         if (row_1 >= params_1.end_row) {
             break;
         }
@@ -1845,12 +1954,12 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
         let _e108 = strata_of_row(params_1, row_1);
         // glimt_render_gpu/src/kernels/transfer.rs:113
         let _e112 = Tuple_u32_u32_(_e108.x, _e108.y);
-        let first_5 = _e112.fa;
+        let first_7 = _e112.fa;
         let columns_1 = _e112.fb;
         // glimt_render_gpu/src/kernels/transfer.rs:114
-        counter_3 = 0u;
+        counter_5 = 0u;
         loop {
-            let column_1 = counter_3;
+            let column_1 = counter_5;
             if (column_1 >= columns_1) {
                 break;
             }
@@ -1861,9 +1970,9 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
             let _e125 = Xoshiro128PlusPlus_next_uvec2_((&source));
             let _e126 = unit_vec2_(_e125);
             // glimt_render_gpu/src/kernels/transfer.rs:117
-            let _e128 = direction_in_row(n_2, first_5, columns_1, column_1, _e126);
+            let _e128 = direction_in_row(n_2, first_7, columns_1, column_1, _e126);
             // glimt_render_gpu/src/kernels/transfer.rs:118
-            let cosine = dot(at.normal, _e128);
+            let cosine = dot(at_2.normal, _e128);
             // glimt_render_gpu/src/kernels/transfer.rs:119
             if (cosine > 0f) {
                 // glimt_render_gpu/src/kernels/transfer.rs:120
@@ -1871,31 +1980,31 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
                 rays = (_e137 + 1u);
                 // glimt_render_gpu/src/kernels/transfer.rs:121
                 let _e142 = gone;
-                let _e143 = hash3_(params_1.seed, at.number, _e142);
+                let _e143 = hash3_(params_1.seed, at_2.number, _e142);
                 // glimt_render_gpu/src/kernels/transfer.rs:122
-                let _e146 = Ray_keyed(at.origin, _e128, _e143);
+                let _e146 = Ray_keyed(at_2.origin, _e128, _e143);
                 // glimt_render_gpu/src/kernels/transfer.rs:123
                 if _e43 {
                     // glimt_render_gpu/src/kernels/transfer.rs:125
                     let above = Asked(others.object, others.own, (height_2 / cosine), others.way);
                     // glimt_render_gpu/src/kernels/transfer.rs:129
-                    let _e157 = Ray_keyed(at.inner, _e128, _e143);
+                    let _e157 = Ray_keyed(at_2.inner, _e128, _e143);
                     // glimt_render_gpu/src/kernels/transfer.rs:130
                     let _e160 = any_hit_of(_e157, 0x1.fffffep+127f, above);
-                    either_1 = _e160;
+                    either = _e160;
                     if _e160 {
                     } else {
                         let _e163 = any_hit_of(_e146, 0x1.fffffep+127f, own);
-                        either_1 = _e163;
+                        either = _e163;
                     }
-                    let _e164 = either_1;
-                    chosen_6 = _e164;
+                    let _e164 = either;
+                    chosen_5 = _e164;
                 } else {
                     // glimt_render_gpu/src/kernels/transfer.rs:133
                     let _e167 = any_hit(_e146, 0x1.fffffep+127f);
-                    chosen_6 = _e167;
+                    chosen_5 = _e167;
                 }
-                let is_blocked = chosen_6;
+                let is_blocked = chosen_5;
                 // glimt_render_gpu/src/kernels/transfer.rs:135
                 if is_blocked {
                     // glimt_render_gpu/src/kernels/transfer.rs:136
@@ -1906,13 +2015,13 @@ fn transfer_1(vertex: u32, params_1: TransferParams, state_start: u32, state_len
                 }
             }
             continuing {
-                let _e172 = counter_3;
-                counter_3 = (_e172 + 1u);
+                let _e172 = counter_5;
+                counter_5 = (_e172 + 1u);
             }
         }
         continuing {
-            let _e175 = counter_2;
-            counter_2 = (_e175 + 1u);
+            let _e175 = counter_4;
+            counter_4 = (_e175 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/transfer.rs:143

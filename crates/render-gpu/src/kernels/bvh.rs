@@ -1,41 +1,76 @@
-//! Shared file: the way of a ray through a binary tree of boxes.
+//! Shared file: the way of a ray through a tree of boxes, four at a time.
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 use super::opacity::is_passed;
 use super::ray::{Hit, Ray};
 use super::triangle::{SEE_THROUGH, Triangle, barycentrics, intersect};
 
-/// Entries of the traversal's stack. No tree is built deeper.
+/// Entries of the traversal's stack. No tree needs more.
 pub const STACK_SIZE: usize = 64;
 
-/// A node of the tree: an inner node with two children side by side, or a leaf with a run of triangles. 32 bytes.
+/// Children of a node.
+pub const WIDTH: usize = 4;
+
+/// A node of the tree: up to four children, each with its box, and each a node or a run of triangles. 112 bytes.
+///
+/// Their boxes lie side by side, so that one pass of vector operations tests a ray against all four.
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct BvhNode {
-    /// Lower corner of its box.
-    pub min: Vec3,
-    /// Number of triangles in a leaf; 0 in an inner node.
-    pub count: u32,
-    /// Upper corner of its box.
-    pub max: Vec3,
-    /// The first child (the second follows it), or the leaf's first triangle.
-    pub first: u32,
+    /// Lower corners of the children's boxes: x of all four, then y, then z.
+    pub min_x: Vec4,
+    /// See `min_x`.
+    pub min_y: Vec4,
+    /// See `min_x`.
+    pub min_z: Vec4,
+    /// Upper corners, likewise.
+    pub max_x: Vec4,
+    /// See `max_x`.
+    pub max_y: Vec4,
+    /// See `max_x`.
+    pub max_z: Vec4,
+    /// Each child's index among the nodes; [`LEAF`] with the index of its first triangle, whose [`Triangle::run`] says how many it has;
+    /// 0 where there is no child, for the root is nobody's.
+    pub children: [u32; WIDTH],
 }
 
-/// Where the ray enters the node's box, in units of its direction; [`f32::MAX`] where it misses it or leaves it behind.
+/// Bit of a child that is a run of triangles.
+pub const LEAF: u32 = 1 << 31;
+
+/// What a ray meets of a node's children.
+struct Met {
+    /// Bit `i` is set where it meets the box of child `i`.
+    children: u32,
+    /// Where it enters each box, in units of its direction; 0 where it starts inside.
+    distances: [f32; WIDTH],
+}
+
+/// Which boxes of a node's children the ray meets within `reach`.
 ///
 /// The far side is moved out by two rounding errors, which makes the test conservative (Ize 2013).
 #[inline(always)]
-fn box_distance(node: &BvhNode, ray: &Ray) -> f32 {
-    let to_min = (node.min - ray.origin) * ray.inverse_direction;
-    let to_max = (node.max - ray.origin) * ray.inverse_direction;
-    let near = to_min.min(to_max).max_element();
-    let far = to_min.max(to_max).min_element() * 1.000_000_4;
-    if far >= near && far >= 0.0 {
-        near
-    } else {
-        f32::MAX
+fn meet(node: &BvhNode, ray: &Ray, reach: f32) -> Met {
+    let (x, y, z) = (ray.origin.x, ray.origin.y, ray.origin.z);
+    let inverse = ray.inverse_direction;
+    let to_min_x = (node.min_x - x) * inverse.x;
+    let to_max_x = (node.max_x - x) * inverse.x;
+    let to_min_y = (node.min_y - y) * inverse.y;
+    let to_max_y = (node.max_y - y) * inverse.y;
+    let to_min_z = (node.min_z - z) * inverse.z;
+    let to_max_z = (node.max_z - z) * inverse.z;
+    let near_x = to_min_x.min(to_max_x);
+    let near_y = to_min_y.min(to_max_y);
+    let near_z = to_min_z.min(to_max_z);
+    let far_x = to_min_x.max(to_max_x);
+    let far_y = to_min_y.max(to_max_y);
+    let far_z = to_min_z.max(to_max_z);
+    let distances = near_x.max(near_y).max(near_z.max(Vec4::ZERO));
+    let far = far_x.min(far_y).min(far_z) * 1.000_000_4;
+    let room = far.min(Vec4::splat(reach)) - distances;
+    Met {
+        children: 15 - room.is_negative_bitmask(),
+        distances: distances.to_array(),
     }
 }
 
@@ -84,10 +119,9 @@ pub fn any_hit(
 /// Index of no triangle.
 const NONE: u32 = u32::MAX;
 
-/// Visits the nodes that the ray meets within `reach`, nearer children first. Returns the triangle that is hit first,
+/// Visits the nodes that the ray meets within `reach`, the nearest child of each first. Returns the triangle that is hit first,
 /// with its distance in `reach`; or, where `any` is set, the first one found that is not a catcher.
 #[inline(always)]
-#[allow(clippy::manual_swap)]
 fn traverse(
     nodes: &[BvhNode],
     triangles: &[Triangle],
@@ -96,78 +130,71 @@ fn traverse(
     reach: &mut f32,
     any: bool,
 ) -> u32 {
-    if nodes.is_empty() || box_distance(&nodes[0], ray) >= *reach {
+    if nodes.is_empty() {
         return NONE;
-    }
-    let root = nodes[0];
-    if root.count > 0 {
-        return visit_leaf(triangles, surface, &root, ray, reach, NONE, any);
     }
     let mut best = NONE;
     let mut stack = [0u32; STACK_SIZE];
     let mut height = 0;
-    let mut pair = root.first;
+    let mut at = 0;
     loop {
-        let mut near = nodes[pair as usize];
-        let mut far = nodes[pair as usize + 1];
-        let mut t_near = box_distance(&near, ray);
-        let mut t_far = box_distance(&far, ray);
-        // Swapping in place lets the CPU predict the order; choosing each value by `if` was a third slower.
-        if t_near > t_far {
-            let node = near;
-            near = far;
-            far = node;
-            let t = t_near;
-            t_near = t_far;
-            t_far = t;
-        }
-        let mut into_near = t_near < *reach;
-        if into_near && near.count > 0 {
-            best = visit_leaf(triangles, surface, &near, ray, reach, best, any);
-            if any && best != NONE {
-                return best;
+        // The root is no child, so 0 stands for none.
+        let mut next = 0;
+        if at < LEAF {
+            let node = &nodes[at as usize];
+            let met = meet(node, ray, *reach);
+            let mut distance = f32::MAX;
+            // Children are asked for one after the other: so a CPU predicts which are met, and begins to load them.
+            for i in 0..WIDTH {
+                let child = node.children[i];
+                if (met.children >> i) & 1 != 0 {
+                    // What is not next waits.
+                    let mut waiting = next;
+                    if any {
+                        next = child;
+                    } else if met.distances[i] < distance {
+                        distance = met.distances[i];
+                        next = child;
+                    } else {
+                        waiting = child;
+                    }
+                    if waiting > 0 {
+                        stack[height] = waiting;
+                        height += 1;
+                    }
+                }
             }
-            into_near = false;
-        }
-        let mut into_far = t_far < *reach;
-        if into_far && far.count > 0 {
-            best = visit_leaf(triangles, surface, &far, ray, reach, best, any);
-            if any && best != NONE {
-                return best;
-            }
-            into_far = false;
-        }
-        if into_near {
-            pair = near.first;
-            if into_far {
-                stack[height] = far.first;
-                height += 1;
-            }
-        } else if into_far {
-            pair = far.first;
-        } else if height > 0 {
-            height -= 1;
-            pair = stack[height];
         } else {
-            return best;
+            best = visit_leaf(triangles, surface, at - LEAF, ray, reach, best, any);
+            if any && best != NONE {
+                return best;
+            }
         }
+        if next == 0 {
+            if height == 0 {
+                return best;
+            }
+            height -= 1;
+            next = stack[height];
+        }
+        at = next;
     }
 }
 
-/// The nearest triangle of the leaf within `reach`, which becomes its distance; `best` where there is none. With
+/// The nearest triangle of the leaf that begins at `first` within `reach`, which becomes its distance; `best` where there is none. With
 /// `no_catcher` set, catchers are passed over.
 #[inline(always)]
 fn visit_leaf(
     triangles: &[Triangle],
     surface: &[u32],
-    leaf: &BvhNode,
+    first: u32,
     ray: &Ray,
     reach: &mut f32,
     best: u32,
     no_catcher: bool,
 ) -> u32 {
     let mut nearest = best;
-    for i in leaf.first..leaf.first + leaf.count {
+    for i in first..first + triangles[first as usize].run {
         let mut t = intersect(&triangles[i as usize], ray, *reach);
         // Asked only of a triangle that is hit, so that the tests cost nothing on the way.
         if t < *reach && triangles[i as usize].object >= SEE_THROUGH {
@@ -237,14 +264,19 @@ pub fn any_hit_of(
     let mut height = 1;
     while height > 0 {
         height -= 1;
-        let node = nodes[stack[height] as usize];
-        if box_distance(&node, ray) < t_max {
-            if node.count == 0 {
-                stack[height] = node.first;
-                stack[height + 1] = node.first + 1;
-                height += 2;
+        let at = stack[height];
+        if at < LEAF {
+            let node = &nodes[at as usize];
+            let met = meet(node, ray, t_max);
+            for i in 0..WIDTH {
+                if (met.children >> i) & 1 != 0 && node.children[i] > 0 {
+                    stack[height] = node.children[i];
+                    height += 1;
+                }
             }
-            for i in node.first..node.first + node.count {
+        } else {
+            let first = at - LEAF;
+            for i in first..first + triangles[first as usize].run {
                 let triangle = &triangles[i as usize];
                 if !triangle.is_catcher() && (triangle.object_index() == asked.object) == asked.own
                 {
@@ -267,9 +299,8 @@ mod tests {
 
     #[test]
     fn layout_is_that_of_wgsl() {
-        assert_eq!(core::mem::size_of::<BvhNode>(), 32);
-        assert_eq!(core::mem::offset_of!(BvhNode, count), 12);
-        assert_eq!(core::mem::offset_of!(BvhNode, max), 16);
-        assert_eq!(core::mem::offset_of!(BvhNode, first), 28);
+        assert_eq!(core::mem::size_of::<BvhNode>(), 112);
+        assert_eq!(core::mem::offset_of!(BvhNode, max_x), 48);
+        assert_eq!(core::mem::offset_of!(BvhNode, children), 96);
     }
 }

@@ -59,9 +59,9 @@ pub struct Drawn {
 pub fn corner_position(corner: u32, scene: Scene<'_>) -> Vec3 {
     let triangle = &scene.triangles[(corner / 3) as usize];
     match corner % 3 {
-        0 => triangle.v0,
-        1 => triangle.v1,
-        _ => triangle.v2,
+        0 => triangle.a(),
+        1 => triangle.b(),
+        _ => triangle.c(),
     }
 }
 
@@ -160,7 +160,7 @@ pub fn draw(
     let u = weights.x.clamp(0.0, 1.0);
     let v = weights.y.clamp(0.0, 1.0 - u);
     let at = &scene.triangles[triangle as usize];
-    let p = at.v0 + (at.v1 - at.v0) * u + (at.v2 - at.v0) * v;
+    let p = at.a() + (at.b() - at.a()) * u + (at.c() - at.a()) * v;
     let to_point = p - raster.frame.eye;
     let ray = Ray::new(raster.frame.eye, to_point.normalize());
     let hit = Hit {

@@ -119,9 +119,9 @@ impl Scene<'_> {
             vertex_color = attributes.color.truncate();
         }
         let frame = ShadingFrame::from_normal(normal);
-        let edges = (triangle.v1 - triangle.v0) * u + (triangle.v2 - triangle.v0) * v;
+        let edges = (triangle.b() - triangle.a()) * u + (triangle.c() - triangle.a()) * v;
         ShadingPoint {
-            origin: triangle.v0 + edges + geometric_normal * triangle.ray_offset(),
+            origin: triangle.a() + edges + geometric_normal * triangle.ray_offset(),
             geometric_normal,
             frame,
             wo: frame.to_local(to_eye),

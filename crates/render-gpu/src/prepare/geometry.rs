@@ -288,19 +288,17 @@ impl Geometry {
                 bits |= SEE_THROUGH;
             }
             Some(Triangle {
-                v0,
                 material: if mirrored {
                     material | MIRRORED
                 } else {
                     material
                 },
-                v1,
                 object: bits,
-                v2,
                 attributes: match body.attributes {
                     0 => 0,
                     first => first + (index * FACE_WORDS) as u32,
                 },
+                ..Triangle::new(v0, v1, v2)
             })
         };
         let made: Vec<Option<Triangle>> = mesh

@@ -11,7 +11,7 @@ use super::materials::pack_surface;
 use super::scene::{Mesh, SceneDescription, Shape};
 use super::scene_error::SceneError;
 use super::transfer::{SceneTransfer, SurfaceVertex, Transfer, TransferError};
-use super::tree::{build_tree, refit, sah_cost};
+use super::tree::{BuiltTree, build_tree, refit, sah_cost};
 use crate::kernels::bvh::BvhNode;
 use crate::kernels::scene::{Corner, Scene};
 use crate::kernels::triangle::Triangle;
@@ -66,6 +66,8 @@ struct Reference {
     cost: f64,
     /// The place among the triangles of each one in the order of the description.
     places: Vec<u32>,
+    /// In that place, the triangle's run.
+    runs: Vec<u32>,
     /// The first of each object's triangles in that order.
     starts: Vec<usize>,
     /// Each object's faces without area.
@@ -103,9 +105,10 @@ impl SceneBuffers {
         let geometry = Arc::new(geometry);
         let reference = Reference {
             geometry: Arc::clone(&geometry),
-            cost: sah_cost(&nodes),
+            cost: sah_cost(&nodes, &triangles),
             nodes: nodes.clone(),
             places,
+            runs: triangles.iter().map(|triangle| triangle.run).collect(),
             starts: starts.collect(),
             dropped: flats.iter().map(|flat| flat.dropped.clone()).collect(),
         };
@@ -281,6 +284,7 @@ impl SceneBuffers {
             nodes,
             cost,
             places,
+            runs,
             starts,
             dropped,
             ..
@@ -293,7 +297,10 @@ impl SceneBuffers {
                 flat.triangles.iter().zip(&flat.corners).zip(places)
             {
                 let place = place as usize;
-                self.triangles[place] = *triangle;
+                self.triangles[place] = Triangle {
+                    run: runs[place],
+                    ..*triangle
+                };
                 self.corners[3 * place..][..3].copy_from_slice(corners);
             }
         }
@@ -301,7 +308,7 @@ impl SceneBuffers {
         refit(&mut self.nodes, &self.triangles);
         self.dropped = dropped.iter().map(Vec::len).sum();
         self.in_reference_order = true;
-        sah_cost(&self.nodes) <= REBUILD_COST * cost
+        sah_cost(&self.nodes, &self.triangles) <= REBUILD_COST * cost
     }
 
     /// Builds a tree of this pose's own.
@@ -362,9 +369,15 @@ impl SceneBuffers {
         self.dropped
     }
 
+    /// What a ray through the box around all triangles is expected to cost, by the surface area heuristic: triangles that it is tested
+    /// against, and nodes, each as much as two of them.
+    pub fn expected_ray_cost(&self) -> f64 {
+        sah_cost(&self.nodes, &self.triangles)
+    }
+
     /// Lower and upper corner of the box around all triangles.
     pub fn bounds(&self) -> (Vec3, Vec3) {
-        (self.nodes[0].min, self.nodes[0].max)
+        self.nodes[0].whole()
     }
 }
 
@@ -398,15 +411,19 @@ impl Ordered {
             let dropped = count_dropped(flats);
             return Err(SceneError::NoTriangles { dropped });
         }
-        // Three corners each, and nodes up to twice as many.
+        // Three corners each.
         if triangles.len() > (u32::MAX / 4) as usize {
             return Err(SceneError::TooLarge { what: "triangles" });
         }
         let corners: Vec<&[Corner; 3]> = flats.iter().flat_map(|f| &f.corners).collect();
-        let (nodes, order) = build_tree(&triangles);
+        let BuiltTree { nodes, order, runs } = build_tree(&triangles);
+        let ordered = order.iter().zip(runs).map(|(&i, run)| Triangle {
+            run,
+            ..triangles[i as usize]
+        });
         Ok(Self {
             nodes,
-            triangles: order.iter().map(|&i| triangles[i as usize]).collect(),
+            triangles: ordered.collect(),
             corners: order.iter().flat_map(|&i| *corners[i as usize]).collect(),
             order,
         })
