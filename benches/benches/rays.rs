@@ -1,7 +1,7 @@
 //! Host file: the claim that the traversal that runs on both processors traces at least 1.3 times as many rays per second as
 //! obvhs's own traversal of a binary tree. Primary and shadow rays on a scanned statue, one thread, the same rays, the
 //! same triangle test. Where `RAYS_DIR` names a folder, triangles, shadow rays and answers are written there, for
-//! `benches/peers/embree.py`.
+//! `benches/peers/against_embree.py`.
 
 use glam::{Mat4, Vec2, Vec3, vec2, vec3};
 use glimt_benches::inputs::{TriangleMesh, statue};

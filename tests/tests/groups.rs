@@ -2,12 +2,17 @@
 //! another method where normals vary within a pixel, and what they must leave alone.
 
 use glam::{UVec2, Vec3, Vec4};
+use glimt_render_gpu::gpu::GpuRenderer;
+use glimt_render_gpu::kernels::group_health::GroupHealth;
 use glimt_render_gpu::methods::{Cells, Method, Mis, Product};
 use glimt_render_gpu::prepare::env::{EnvMap, PreparedEnv};
-use glimt_render_gpu::prepare::render::{Background, Filter, FrameImage, Pattern, RenderSettings};
+use glimt_render_gpu::prepare::render::{
+    Background, Diagnostics, Filter, FrameImage, Pattern, RenderSettings, Renderer,
+};
 use glimt_render_gpu::prepare::scene::Camera;
 use glimt_render_gpu::prepare::scene_build::SceneBuffers;
 use glimt_statistics::stats::{Mean, sidak, z_test};
+use glimt_tests::gpu::adapter_or_skip;
 use glimt_tests::unbiased::{Case, assert_unbiased, camera, map, prepare, render, scene, settings};
 
 fn product(rays: u32) -> Method {
@@ -280,6 +285,69 @@ fn catchers_that_nothing_shades_stay_as_they_are() {
     }
 }
 
+/// How each pixel fared.
+fn health(image: &FrameImage) -> (&[GroupHealth], f64) {
+    match &image.diagnostics {
+        Some(Diagnostics::Groups { pixels, pilot_rays }) => (pixels, *pilot_rays),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Rays are counted where there is something to look at, and as many as the settings say; to count them changes nothing.
+#[test]
+fn diagnostics_count_shadow_rays() {
+    let (scene, env) = (small_things(false, 0.7, 0.0), lamp_and_sky());
+    let mut gpu = adapter_or_skip("groups").map(|context| GpuRenderer::on(context).unwrap());
+    for (method, pilots) in [
+        (product(8), 0.0..0.0),
+        (even_cells(8), 0.5..2.0),
+        (cells(8), 0.5..2.0),
+    ] {
+        let plain = coarse(method, 4, false);
+        let asked = RenderSettings {
+            diagnostics: true,
+            ..plain
+        };
+        let image = render(&scene, &env, &asked);
+        let without = render(&scene, &env, &plain);
+        assert_eq!(image.linear, without.linear);
+        assert_eq!(without.diagnostics, None);
+        let (pixels, pilot_rays) = health(&image);
+        let range = pilots.start..=pilots.end;
+        assert!(range.contains(&pilot_rays), "{pilot_rays} pilots");
+        let mut rays = 0.0;
+        for (pixel, colour) in pixels.iter().zip(&image.linear) {
+            let shows = colour.w > 0.0;
+            assert_eq!(pixel.residual > 0.0, shows, "{pixel:?} {colour}");
+            assert!(shows || pixel.rays == 0.0);
+            rays += pixel.rays;
+        }
+        let covered: f32 = image.linear.iter().map(|colour| colour.w).sum();
+        let wanted = match method {
+            // Where rays go to what they are worth, as many as all pixels have.
+            Method::Cells(Cells { adaptive: true, .. }) => 8.0 * pixels.len() as f32,
+            _ => 8.0 * covered,
+        };
+        assert!((rays / wanted - 1.0).abs() < 0.2, "{rays} rays of {wanted}");
+        if let Some(gpu) = &mut gpu {
+            gpu.forget();
+            let other = gpu.render_frame(&scene, &env, &asked, &|_| ()).unwrap();
+            let (others, other_pilots) = health(&other);
+            assert_eq!(pilot_rays, other_pilots);
+            let near = |a: f32, b: f32| (a - b).abs() <= 1e-3 * a.abs().max(b.abs());
+            let alike = |(a, b): &(&GroupHealth, &GroupHealth)| {
+                a.rays == b.rays && near(a.residual, b.residual)
+            };
+            let odd = pixels
+                .iter()
+                .zip(others)
+                .filter(|pair| !alike(pair))
+                .count();
+            assert!(odd * 50 <= pixels.len(), "{odd} pixels fared otherwise");
+        }
+    }
+}
+
 /// Frames do not depend on how the image is cut into tiles.
 #[test]
 fn tiles_change_no_bit() {
@@ -288,7 +356,6 @@ fn tiles_change_no_bit() {
         let settings = coarse(method, 4, true);
         let with = |tile| {
             use glimt_render_gpu::cpu::CpuRenderer;
-            use glimt_render_gpu::prepare::render::Renderer;
             let mut renderer = CpuRenderer::with_tiles(tile);
             renderer
                 .render_frame(&scene, &env, &settings, &|_| ())

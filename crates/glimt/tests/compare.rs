@@ -156,6 +156,36 @@ fn a_comparison_from_end_to_end() {
     page(&t);
 }
 
+/// Methods that choose the number of their rays say how many there were in each frame.
+#[test]
+fn rays_and_pilots_are_counted() {
+    let t = Scratch::new("compare-rays");
+    plane(&t, "");
+    let cells = "cells: render.method=cells render.cells.rays=6";
+    let more = ["--seeds", "2", "--contestant", cells];
+    compare(&t, &more).ok();
+    let found = json(&t, "compare");
+    let contestants = found["contestants"].as_array().unwrap();
+    let of = |name: &str| contestants.iter().find(|c| c["name"] == name).unwrap();
+    let frames = of("cells")["frames"].as_array().unwrap();
+    for frame in frames {
+        let rays = frame["rays"]["all"].as_f64().unwrap();
+        let pilots = frame["rays"]["pilots"].as_f64().unwrap();
+        assert!((5.0..10.0).contains(&rays), "{rays}");
+        assert!(pilots > 0.1 && pilots < 0.4 * rays, "{pilots} of {rays}");
+    }
+    assert!(of("stratified MIS")["overall"]["rays"].is_null());
+    let table = untimed(&t, "compare");
+    let column = table[0].iter().position(|name| name == "pilot_share");
+    let row = table.iter().find(|row| row[0] == "cells").unwrap();
+    let share: f64 = row[column.unwrap()].parse().unwrap();
+    let all = &of("cells")["overall"]["rays"];
+    let expected = all["pilots"].as_f64().unwrap() / all["all"].as_f64().unwrap();
+    assert!((share - expected).abs() < 1e-6);
+    let page = fs::read_to_string(t.file("compare/compare.html")).unwrap();
+    assert!(page.contains("Figures of each frame") && page.contains("<th>pilots</th>"));
+}
+
 /// The page says the verdict first, names all contestants, shows pictures, and needs nothing but itself.
 fn page(t: &Scratch) {
     let html = fs::read_to_string(t.file("compare/compare.html")).unwrap();

@@ -162,6 +162,28 @@ fn a_run_that_was_stopped_continues_from_its_own_state() {
 }
 
 #[test]
+fn layers_say_how_cells_fare() {
+    let t = Scratch::new("cells-layers");
+    shot(&t, CELLS);
+    let layers = ["--set", "output.aovs=[\"rays\",\"visibility-error\"]"];
+    render(&t, "out", &[&["--frames", "1"][..], &layers].concat());
+    let image = exr::prelude::read_first_flat_layer_from_file(t.file("out/frame.0001.exr"));
+    let image = image.expect("an EXR");
+    let names: Vec<String> = (image.layer_data.channel_data.list.iter())
+        .map(|channel| channel.name.to_string())
+        .collect();
+    let own = ["cells.rays", "cells.visibility_error"];
+    assert_eq!(names, [&["A", "B", "G", "R"], &own[..]].concat());
+    let channels = read_exr(&t.file("out/frame.0001.exr"));
+    let mean = channels[4].iter().sum::<f32>() / channels[4].len() as f32;
+    assert!(mean > 4.0 && mean < 16.0, "{mean} rays");
+    // They are of no other method.
+    let flags = ["render", "shot.toml", "--method", "mis", "--out", "mis"];
+    t.run(&[&flags[..], &layers].concat())
+        .fails(2, &["output.aovs", "rays"]);
+}
+
+#[test]
 fn the_seam_of_a_preroll_closes() {
     let t = Scratch::new("preroll");
     shot(&t, SMC);

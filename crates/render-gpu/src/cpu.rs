@@ -12,7 +12,7 @@ use crate::methods::{Inputs, Kept, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::past_frame::PastFrame;
 use crate::prepare::plate::Plate;
-use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer};
+use crate::prepare::render::{Diagnostics, FrameImage, RenderError, RenderSettings, Renderer};
 use crate::prepare::scene_build::SceneBuffers;
 
 pub use drawing::CpuDrawing;
@@ -110,6 +110,16 @@ impl Renderer for CpuRenderer {
         );
         done.map_err(RenderError::device)?;
         let mut diagnostics = None;
+        if !image.health.is_empty() {
+            let pilot_rays = match &kept {
+                Kept::Cells(counting) => counting.pilot_rays(&Cpu).map_err(RenderError::device)?,
+                Kept::Nothing | Kept::Smc(_) => 0.0,
+            };
+            diagnostics = Some(Diagnostics::Groups {
+                pixels: std::mem::take(&mut image.health),
+                pilot_rays,
+            });
+        }
         let past = || PastFrame::new(settings, scene, env);
         match &mut kept {
             Kept::Cells(counting) if settings.method.has_memory() => {
@@ -125,7 +135,7 @@ impl Renderer for CpuRenderer {
                     following
                         .diagnose(&mut Rayon::default(), &whole, 0..rays, out, pixels)
                         .map_err(RenderError::device)?;
-                    diagnostics = Some(list);
+                    diagnostics = Some(Diagnostics::Particles(list));
                 }
                 *following.light_mut() = env.view().texels.to_vec();
                 following.end(past()?, env.view().map());

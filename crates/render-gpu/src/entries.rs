@@ -118,6 +118,7 @@ const PIXELS: &[(&str, &str)] = &[
         "shade_cells_layers",
         "cells::shade_cells::<glimt_render_gpu::kernels::layers::LayerSample>",
     ),
+    ("diagnose_groups", "group_health::diagnose_groups"),
     ("find_smc", "smc_point::find_smc"),
     ("advance_smc", "smc::advance_smc"),
     ("gather_smc", "smc_gather::gather_smc::<glam::Vec4>"),

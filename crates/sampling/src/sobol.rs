@@ -68,7 +68,8 @@ fn recurrence_2(index: u32) -> u32 {
     let mut v0 = 1;
     let mut v1 = 3;
     let mut sum = 0;
-    while bits != 0 {
+    // Always as many turns, so that a compiler unrolls them and knows all v.
+    for _ in 0..16 {
         sum ^= v0 & (bits & 1).wrapping_neg();
         let v2 = v1 ^ v0 ^ (v0 << 2);
         v0 = v1;
@@ -86,7 +87,7 @@ fn recurrence_3(index: u32) -> u32 {
     let mut v1 = 3;
     let mut v2 = 4;
     let mut sum = 0;
-    while bits != 0 {
+    for _ in 0..16 {
         sum ^= v0 & (bits & 1).wrapping_neg();
         let v3 = v1 ^ v0 ^ (v0 << 3);
         v0 = v1;

@@ -6,6 +6,7 @@ use glimt_render_gpu::gpu::Arg;
 use glimt_render_gpu::kernels::cell_state::{
     COUNT_WORDS, ENTRIES, TileEntry, VISIBILITY_WORDS, WORTHS,
 };
+use glimt_render_gpu::kernels::group_health::{GroupHealth, diagnose_groups};
 use glimt_render_gpu::kernels::past::PastView;
 use glimt_render_gpu::kernels::scout::CellParams;
 use glimt_render_gpu::kernels::seen::{self, SeenPoint};
@@ -50,10 +51,18 @@ impl Stage<'_> {
         ];
         let kernel = "product::shade_product::<glam::Vec4>";
         self.shade_by(&method, kernel, &frame, &more, &out, PIXELS);
+        let fared = Output::new::<GroupHealth>(self.context, PIXELS);
+        let more = [("points", Arg::Buffer(&found.buffer))];
+        let kernel = "group_health::diagnose_groups";
+        self.shade_by(&method, kernel, &frame, &more, &fared, PIXELS);
+        let health: Vec<GroupHealth> = (0..PIXELS)
+            .map(|pixel| diagnose_groups(pixel, &frame, &points))
+            .collect();
+        let of_gpu: Vec<u32> = fared.read(self.context);
         Pair {
             name: "product".to_owned(),
-            cpu: words(&cpu),
-            gpu: out.read(self.context),
+            cpu: [words(&cpu), words(&health)].concat(),
+            gpu: [out.read(self.context), of_gpu].concat(),
         }
     }
 

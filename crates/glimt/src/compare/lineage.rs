@@ -1,6 +1,7 @@
 //! Host file: how the rays of a contestant fare that continue from frame to frame.
 
 use glimt_render_gpu::kernels::smc::SmcHealth;
+use glimt_render_gpu::prepare::render::Diagnostics;
 use serde::{Deserialize, Serialize};
 
 /// The most that may re-initialise in a frame, of a sampler that is worth its memory.
@@ -22,10 +23,16 @@ pub struct Lineage {
 }
 
 impl Lineage {
-    /// Of a frame's [diagnostics](glimt_render_gpu::prepare::render::FrameImage::diagnostics), with so many rays a pixel; `None`
-    /// where nothing is seen.
+    /// Of a frame's diagnostics, with so many rays a pixel; `None` of a method without particles, and where nothing is seen.
     #[must_use]
-    pub fn of(diagnostics: &[SmcHealth], rays_per_pixel: u32) -> Option<Self> {
+    pub fn of(diagnostics: &Diagnostics, rays_per_pixel: u32) -> Option<Self> {
+        match diagnostics {
+            Diagnostics::Particles(pixels) => Self::of_particles(pixels, rays_per_pixel),
+            Diagnostics::Groups { .. } => None,
+        }
+    }
+
+    fn of_particles(diagnostics: &[SmcHealth], rays_per_pixel: u32) -> Option<Self> {
         // A dead set has no effective samples, but a pixel that shows something has ages or starts.
         let shows = |d: &&SmcHealth| d.ess > 0.0 || d.age > 0.0 || d.started > 0.0;
         let seen: Vec<&SmcHealth> = diagnostics.iter().filter(shows).collect();
@@ -97,12 +104,12 @@ mod tests {
             // All of its sets are dead.
             pixel(0.0, 13.0, 0.0, 0.0),
         ];
-        let lineage = Lineage::of(&frame, 4).unwrap();
+        let lineage = Lineage::of_particles(&frame, 4).unwrap();
         assert_eq!((lineage.started, lineage.age), (0.25, 13.0));
         assert_eq!(lineage.spread, Some(0.25));
         assert!(lineage.sentence("a").contains("sd(Z)/Z 0.25"));
-        assert_eq!(Lineage::of(&frame, 1).unwrap().spread, None);
-        assert_eq!(Lineage::of(&frame[..1], 4), None);
+        assert_eq!(Lineage::of_particles(&frame, 1).unwrap().spread, None);
+        assert_eq!(Lineage::of_particles(&frame[..1], 4), None);
         assert!(lineage.sentence("a").contains("WANTED"));
         let young = Lineage {
             started: 0.05,

@@ -5,13 +5,14 @@
 
 use super::moments::Moments;
 use super::reference::Reference;
+use super::shadow_rays::ShadowRays;
 use super::statistics::{Estimate, normal_two_sided, sidak, student_two_sided};
 use super::trial_renderer::luminance_of;
 use glam::{Vec3, Vec4};
 use serde::{Deserialize, Serialize};
 
 /// The measures, in the words of a report: name and definition.
-pub const DEFINITIONS: [(&str, &str); 10] = [
+pub const DEFINITIONS: [(&str, &str); 11] = [
     (
         "image",
         "Linear radiance of the shot's objects and catchers before nothing: no background, no backplate, no exposure. P is the set of \
@@ -48,6 +49,11 @@ pub const DEFINITIONS: [(&str, &str); 10] = [
         "time",
         "Wall time of one frame in the renderer, from scene and light to pixels; no files. Median over rounds in each of which every \
          contestant renders one frame, with the quartiles.",
+    ),
+    (
+        "rays, pilots",
+        "Shadow rays of a pixel, over all pixels of the image, of methods that choose their number themselves; the share of those that \
+         were pilots, which count visibilities before the frame is shaded.",
     ),
     (
         "efficiency",
@@ -223,6 +229,8 @@ pub struct Score {
     pub flicker: Option<Estimate>,
     /// FLIP, where the program was built with it.
     pub flip: Option<Estimate>,
+    /// Shadow rays, where the method chose their number.
+    pub rays: Option<ShadowRays>,
 }
 
 #[cfg(test)]

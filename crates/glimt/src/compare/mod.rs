@@ -18,6 +18,7 @@ pub mod outcome;
 pub mod progress;
 pub mod reference;
 pub mod report;
+pub mod shadow_rays;
 pub mod statistics;
 mod times;
 pub mod trial_renderer;

@@ -5,6 +5,7 @@ use super::fit::{Fitted, Hold};
 use super::lineage::Lineage;
 use super::measures::{Bias, LocalBias, Score};
 use super::reference::{CRITERION, LEAST, Reference};
+use super::shadow_rays::ShadowRays;
 use super::statistics::{Estimate, Quartiles, sidak};
 use super::trials::{Record, Trial};
 use serde::Serialize;
@@ -393,6 +394,11 @@ fn score(frames: &[&Vec<Record>], reference_error: f64, local: Option<LocalBias>
         local,
         flicker: over_frames(&|r| r.square_flicker).map(|f| Estimate::root_mean(&f)),
         flip: over_frames(&|r| r.flip).map(|f| Estimate::mean(&f)),
+        rays: {
+            let all: Option<Vec<ShadowRays>> =
+                frames.iter().copied().flatten().map(|r| r.rays).collect();
+            all.and_then(|all| ShadowRays::mean(&all))
+        },
     }
 }
 
@@ -477,6 +483,7 @@ mod tests {
             flip: None,
             seconds: 1.0,
             lineage: None,
+            rays: None,
         };
         let first = vec![record(1, 0.01, 0.1, None), record(2, 0.03, -0.1, None)];
         let second = vec![

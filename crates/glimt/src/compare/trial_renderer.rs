@@ -2,6 +2,7 @@
 
 use super::contestants::Contestant;
 use super::lineage::Lineage;
+use super::shadow_rays::ShadowRays;
 use crate::bake;
 use crate::cli::Device;
 use crate::device::{self, Renderers};
@@ -39,6 +40,8 @@ pub struct Rendered {
     pub phases: Vec<(&'static str, f64)>,
     /// How its rays fare, where they continue from frame to frame.
     pub lineage: Option<Lineage>,
+    /// Its shadow rays, where the method chose their number.
+    pub rays: Option<ShadowRays>,
 }
 
 /// Renders frames of contestants: the device, the scene, and the lights.
@@ -105,7 +108,7 @@ impl<'a> TrialRenderer<'a> {
             seed,
             // What falls on catchers is a layer.
             layers: self.scene.has_catcher(),
-            diagnostics: settings.method.has_memory(),
+            diagnostics: settings.method.has_diagnostics(),
             ..settings
         })
     }
@@ -156,8 +159,9 @@ impl<'a> TrialRenderer<'a> {
             .render_frame(&self.scene, &light, &settings, &|_| ())
             .map_err(device::failure)?;
         let seconds = began.elapsed().as_secs_f64();
-        let lineage = image.diagnostics.as_deref();
-        let lineage = lineage.and_then(|all| Lineage::of(all, settings.rays_per_pixel));
+        let diagnostics = image.diagnostics.as_ref();
+        let lineage = diagnostics.and_then(|all| Lineage::of(all, settings.rays_per_pixel));
+        let rays = diagnostics.and_then(ShadowRays::of);
         let mut pixels = image.linear;
         if let Some(layers) = image.layers {
             for (pixel, layer) in pixels.iter_mut().zip(&layers) {
@@ -181,6 +185,7 @@ impl<'a> TrialRenderer<'a> {
             pixels,
             seconds,
             lineage,
+            rays,
             phases: phases
                 .into_iter()
                 .map(|(name, time)| (name, time.as_secs_f64()))

@@ -6,6 +6,7 @@ use super::lineage::Lineage;
 use super::measures::{mean_offset, square_error, square_flicker};
 use super::moments::{Kept, Moments};
 use super::reference::Reference;
+use super::shadow_rays::ShadowRays;
 use super::trial_renderer::{Rendered, TrialRenderer, luminance_of};
 use crate::error::Result;
 use crate::output::target::Guard;
@@ -39,6 +40,9 @@ pub struct Record {
     /// How its rays fare, where they continue from frame to frame.
     #[serde(default)]
     pub lineage: Option<Lineage>,
+    /// Its shadow rays, where the method chose their number.
+    #[serde(default)]
+    pub rays: Option<ShadowRays>,
 }
 
 /// Images of one contestant in one frame: moments, the first image, and what each was measured to be.
@@ -352,6 +356,7 @@ impl<'a> Trials<'a> {
             flip: shown.zip(picture).and_then(flip),
             seconds: image.seconds,
             lineage: image.lineage,
+            rays: image.rays,
         }
     }
 

@@ -4,9 +4,10 @@ use crate::shot::{Aov, Shadow};
 use glam::Vec3;
 use glimt_probe::gather::ColourMatrix;
 use glimt_render_gpu::kernels::composite::in_primaries;
+use glimt_render_gpu::kernels::group_health::GroupHealth;
 use glimt_render_gpu::kernels::layers::PixelLayers;
 use glimt_render_gpu::kernels::smc::SmcHealth;
-use glimt_render_gpu::prepare::render::{FrameImage, RenderSettings};
+use glimt_render_gpu::prepare::render::{Diagnostics, FrameImage, RenderSettings};
 use std::borrow::Cow;
 
 /// Key of the formula in the EXR.
@@ -29,9 +30,9 @@ pub struct Channel {
 /// Name of a layer's first channel, by which a file is known to have it.
 pub fn first_channel(aov: Aov) -> String {
     let name = name(aov);
-    match diagnostic(aov) {
-        Some(_) => name.to_owned(),
-        None => format!("{name}.R"),
+    match aov.is_diagnostic() {
+        true => name.to_owned(),
+        false => format!("{name}.R"),
     }
 }
 
@@ -51,18 +52,30 @@ pub fn name(aov: Aov) -> &'static str {
         Aov::Age => "smc.age",
         Aov::Started => "smc.started",
         Aov::ZSpread => "smc.z_spread",
+        Aov::Rays => "cells.rays",
+        Aov::VisibilityError => "cells.visibility_error",
     }
 }
 
-/// What it is of [`FrameImage::diagnostics`], if anything.
-pub fn diagnostic(aov: Aov) -> Option<fn(&SmcHealth) -> f32> {
+/// What it is of [`FrameImage::diagnostics`]; nothing of those of another method.
+fn diagnostic(aov: Aov, diagnostics: Option<&Diagnostics>) -> Vec<f32> {
+    let of_particles = |value: fn(&SmcHealth) -> f32| match diagnostics {
+        Some(Diagnostics::Particles(pixels)) => pixels.iter().map(value).collect(),
+        _ => Vec::new(),
+    };
+    let of_groups = |value: fn(&GroupHealth) -> f32| match diagnostics {
+        Some(Diagnostics::Groups { pixels, .. }) => pixels.iter().map(value).collect(),
+        _ => Vec::new(),
+    };
     match aov {
-        Aov::Ess => Some(|health| health.ess),
-        Aov::ZRatio => Some(|health| health.log_ratio),
-        Aov::Age => Some(|health| health.age),
-        Aov::Started => Some(|health| health.started),
-        Aov::ZSpread => Some(|health| health.spread),
-        Aov::Object | Aov::Catcher | Aov::Difference => None,
+        Aov::Ess => of_particles(|health| health.ess),
+        Aov::ZRatio => of_particles(|health| health.log_ratio),
+        Aov::Age => of_particles(|health| health.age),
+        Aov::Started => of_particles(|health| health.started),
+        Aov::ZSpread => of_particles(|health| health.spread),
+        Aov::Rays => of_groups(|health| health.rays),
+        Aov::VisibilityError => of_groups(|health| health.residual),
+        Aov::Object | Aov::Catcher | Aov::Difference => Vec::new(),
     }
 }
 
@@ -71,7 +84,7 @@ pub fn any_layer(aovs: &[Aov]) -> bool {
     aovs.iter().any(|aov| !aov.is_diagnostic())
 }
 
-/// Whether some of them say how particles fare.
+/// Whether some of them say how the method fares.
 pub fn any_diagnostic(aovs: &[Aov]) -> bool {
     aovs.iter().any(|aov| aov.is_diagnostic())
 }
@@ -120,20 +133,15 @@ pub fn channels(
     let mut list = Vec::new();
     for &aov in aovs {
         let layer = name(aov);
-        list.extend(match diagnostic(aov) {
-            Some(value) => {
-                let all = image.diagnostics.as_deref().unwrap_or_default();
-                vec![Channel {
-                    name: layer.to_owned(),
-                    samples: all.iter().map(value).collect(),
-                    half: false,
-                }]
-            }
-            None => match aov {
-                Aov::Catcher => rgb(layer, &PixelLayers::transmission),
-                Aov::Difference => rgb(layer, &|l| finite(-l.blocked * exposure)),
-                _ => rgb(layer, &|l| finite(l.object.truncate() * exposure)),
-            },
+        list.extend(match aov {
+            Aov::Object => rgb(layer, &|l| finite(l.object.truncate() * exposure)),
+            Aov::Catcher => rgb(layer, &PixelLayers::transmission),
+            Aov::Difference => rgb(layer, &|l| finite(-l.blocked * exposure)),
+            _ => vec![Channel {
+                name: layer.to_owned(),
+                samples: diagnostic(aov, image.diagnostics.as_ref()),
+                half: false,
+            }],
         });
         if aov == Aov::Object {
             list.push(Channel {

@@ -149,11 +149,17 @@ fn check_render(shot: &Shot, source: &Source) -> Result<()> {
             "lower one of the two",
         );
     }
-    if render.method != Method::Smc && shot.output.aovs.iter().any(|aov| aov.is_diagnostic()) {
+    let mut aovs = shot.output.aovs.iter();
+    if let Some(aov) = aovs.find(|aov| !aov.is_given_by(render.method)) {
+        let others = match aov.is_given_by(Method::Smc) {
+            true => "\"smc\"",
+            false => "\"cells\" or \"product\"",
+        };
+        let word = serde_json::to_string(aov).unwrap_or_default();
         return bad(
             "output.aovs",
-            "\"ess\", \"z-ratio\", \"age\", \"started\" and \"z-spread\" belong to the method \"smc\"",
-            "leave them out, or set render.method = \"smc\"",
+            &format!("{word} belongs to another method"),
+            &format!("leave it out, or set render.method = {others}"),
         );
     }
     if !render.frames.is_empty() {

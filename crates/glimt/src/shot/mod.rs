@@ -449,6 +449,11 @@ words! {
         Started = "started",
         /// Of the method "smc": sd(Z)/Z, the relative spread of the normalisers of a pixel's rays; 0 with one ray.
         ZSpread = "z-spread",
+        /// Of the methods "cells" and "product": shadow rays of the pixel, without pilots.
+        Rays = "rays",
+        /// Of the methods "cells" and "product": the standard deviation, in luminance, that a shadow ray was expected to have. For
+        /// "cells" it is what the expected visibilities leave of the light.
+        VisibilityError = "visibility-error",
     }
 }
 words! {
@@ -528,10 +533,24 @@ impl NamedTransfer {
 }
 
 impl Aov {
-    /// Whether it reports how particles fare. The others are layers of the composite.
+    /// Whether it reports how the method fares. The others are layers of the composite.
     #[must_use]
     pub fn is_diagnostic(self) -> bool {
         !matches!(self, Self::Object | Self::Catcher | Self::Difference)
+    }
+
+    /// Whether a method gives it.
+    #[must_use]
+    pub fn is_given_by(self, method: Method) -> bool {
+        match self {
+            Self::Object | Self::Catcher | Self::Difference => true,
+            Self::Rays | Self::VisibilityError => {
+                matches!(method, Method::Cells | Method::Product)
+            }
+            Self::Ess | Self::ZRatio | Self::Age | Self::Started | Self::ZSpread => {
+                method == Method::Smc
+            }
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use glam::Vec4;
-use glimt_executor::{Cpu, Device, Host, HostError, HostMemory, Serial};
+use glimt_executor::{Chunks, Cpu, Device, Host, HostError, HostMemory, Serial};
 use rayon::prelude::*;
 
 use crate::film::{Pixels, Samples};
@@ -11,12 +11,12 @@ use crate::generated::passes::{EnvironmentArg, SceneArg};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::environment::Environment;
 use crate::kernels::frame::FrameParams;
+use crate::kernels::group_health::GroupHealth;
 use crate::kernels::layers::PixelLayers;
-use crate::kernels::smc::SmcHealth;
 use crate::methods::smc::Own;
 use crate::methods::{Method, Points};
 use crate::prepare::plate::Plate;
-use crate::prepare::render::{FrameImage, RenderSettings};
+use crate::prepare::render::{Diagnostics, FrameImage, RenderSettings};
 use crate::prepare::scene_build::SceneBuffers;
 
 /// Pixels of a tile, where nothing else is asked for.
@@ -27,11 +27,12 @@ pub(super) fn name() -> String {
     format!("CPU, {} threads", rayon::current_num_threads())
 }
 
-/// The image that tiles are put into; layers are empty where they are not asked for.
+/// The image that tiles are put into; what is not asked for is empty.
 pub(super) struct Image {
     linear: Vec<Vec4>,
     display: Vec<[u8; 4]>,
     layers: Vec<PixelLayers>,
+    pub(super) health: Vec<GroupHealth>,
 }
 
 impl Image {
@@ -44,13 +45,17 @@ impl Image {
                 true => Cpu.zeroed("layers", pixels)?,
                 false => Vec::new(),
             },
+            health: match settings.diagnostics && settings.method.takes_groups() {
+                true => Cpu.zeroed("diagnostics", pixels)?,
+                false => Vec::new(),
+            },
         })
     }
 
     pub(super) fn finish(
         self,
         settings: &RenderSettings,
-        diagnostics: Option<Vec<SmcHealth>>,
+        diagnostics: Option<Diagnostics>,
     ) -> FrameImage {
         FrameImage {
             size: settings.size,
@@ -93,6 +98,8 @@ struct Part<'a> {
     display: &'a mut [[u8; 4]],
     /// Empty where layers are not asked for.
     layers: &'a mut [PixelLayers],
+    /// Empty where it is not asked for.
+    health: &'a mut [GroupHealth],
     own: Option<Own<'a, Host>>,
 }
 
@@ -196,6 +203,10 @@ impl<'a> Job<'a> {
             points,
         };
         shade(tile, samples)?;
+        if !part.health.is_empty() {
+            let out = Chunks::new(part.health, 1);
+            points.diagnose(&mut Serial, &frame, out, count as u32)?;
+        }
         let plate = self.plate.map(|plate| &plate[part.first..][..count]);
         let env = self.env.shorten();
         pixels.develop(&mut Serial, &frame, env, samples, plate, count as u32)?;
@@ -219,6 +230,7 @@ impl Image {
         own: Option<Own<'a, Host>>,
     ) -> Vec<Part<'a>> {
         let mut layers = self.layers.chunks_mut(tile_pixels);
+        let mut health = self.health.chunks_mut(tile_pixels);
         let mut rest = own;
         let lists = self
             .linear
@@ -238,6 +250,7 @@ impl Image {
                     linear,
                     display,
                     layers: layers.next().unwrap_or_default(),
+                    health: health.next().unwrap_or_default(),
                     own,
                 }
             })

@@ -450,10 +450,10 @@ fn LightLobe_of_point(point: ShadingPoint) -> LightLobe {
     return LightLobe(point.frame, point.wo, BlinnPhong(vec3(_e7), vec3(_e11), point.brdf.exponent));
 }
 
-// glimt_sampling/src/sobol.rs:171
+// glimt_sampling/src/sobol.rs:172
 fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
-    // glimt_sampling/src/sobol.rs:172
+    // glimt_sampling/src/sobol.rs:173
     let _e6 = hash3_(seed, frame, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
@@ -1098,10 +1098,10 @@ fn owen_scramble_reversed(n_2: u32, scramble: u32) -> u32 {
     return (_e25 ^ (_e26 * 1403136100u));
 }
 
-// glimt_sampling/src/sobol.rs:103
+// glimt_sampling/src/sobol.rs:104
 fn shuffle(index_3: u32, seed_2: u32) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:104
+    // glimt_sampling/src/sobol.rs:105
     let _e7 = hash_u32_((seed_2 ^ 2043055690u));
     let _e8 = owen_scramble_reversed(reverseBits(index_3), _e7);
     return reverseBits(_e8);
@@ -1137,6 +1137,7 @@ fn recurrence_2_(index_5: u32) -> u32 {
     var v0_: u32;
     var v1_: u32;
     var sum_1: u32;
+    var counter_5: i32;
 
     // glimt_sampling/src/sobol.rs:67
     bits = index_5;
@@ -1146,85 +1147,96 @@ fn recurrence_2_(index_5: u32) -> u32 {
     v1_ = 3u;
     // glimt_sampling/src/sobol.rs:70
     sum_1 = 0u;
-    // glimt_sampling/src/sobol.rs:71
+    // glimt_sampling/src/sobol.rs:72
+    counter_5 = 0i;
     loop {
-        let _e14 = bits;
-        if !((_e14 != 0u)) {
+        let _e17 = counter_5;
+        if (_e17 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:72
-        let _e19 = v0_;
-        let _e20 = bits;
-        let _e26 = sum_1;
-        sum_1 = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
         // glimt_sampling/src/sobol.rs:73
-        let _e29 = v1_;
-        let _e30 = v0_;
-        let _e32 = v0_;
-        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        let _e20 = v0_;
+        let _e21 = bits;
+        let _e27 = sum_1;
+        sum_1 = (_e27 ^ (_e20 & (0u - (_e21 & 1u))));
         // glimt_sampling/src/sobol.rs:74
-        let _e37 = v1_;
-        v0_ = _e37;
+        let _e30 = v1_;
+        let _e31 = v0_;
+        let _e33 = v0_;
+        let v2_1 = ((_e30 ^ _e31) ^ (_e33 << 2u));
         // glimt_sampling/src/sobol.rs:75
-        v1_ = v2_1;
+        let _e38 = v1_;
+        v0_ = _e38;
         // glimt_sampling/src/sobol.rs:76
-        let _e40 = bits;
-        bits = (_e40 >> 1u);
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:77
+        let _e41 = bits;
+        bits = (_e41 >> 1u);
+        continuing {
+            let _e44 = counter_5;
+            counter_5 = (_e44 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:78
-    let _e44 = sum_1;
-    return _e44;
+    // glimt_sampling/src/sobol.rs:79
+    let _e48 = sum_1;
+    return _e48;
 }
 
-// glimt_sampling/src/sobol.rs:83
+// glimt_sampling/src/sobol.rs:84
 fn recurrence_3_(index_6: u32) -> u32 {
     var bits_1: u32;
     var v0_1: u32;
     var v1_1: u32;
     var v2_: u32;
     var sum_2: u32;
+    var counter_6: i32;
 
-    // glimt_sampling/src/sobol.rs:84
-    bits_1 = index_6;
     // glimt_sampling/src/sobol.rs:85
-    v0_1 = 1u;
+    bits_1 = index_6;
     // glimt_sampling/src/sobol.rs:86
-    v1_1 = 3u;
+    v0_1 = 1u;
     // glimt_sampling/src/sobol.rs:87
-    v2_ = 4u;
+    v1_1 = 3u;
     // glimt_sampling/src/sobol.rs:88
-    sum_2 = 0u;
+    v2_ = 4u;
     // glimt_sampling/src/sobol.rs:89
+    sum_2 = 0u;
+    // glimt_sampling/src/sobol.rs:90
+    counter_6 = 0i;
     loop {
-        let _e17 = bits_1;
-        if !((_e17 != 0u)) {
+        let _e20 = counter_6;
+        if (_e20 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:90
-        let _e22 = v0_1;
-        let _e23 = bits_1;
-        let _e29 = sum_2;
-        sum_2 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
         // glimt_sampling/src/sobol.rs:91
-        let _e32 = v1_1;
-        let _e33 = v0_1;
-        let _e35 = v0_1;
-        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        let _e23 = v0_1;
+        let _e24 = bits_1;
+        let _e30 = sum_2;
+        sum_2 = (_e30 ^ (_e23 & (0u - (_e24 & 1u))));
         // glimt_sampling/src/sobol.rs:92
-        let _e40 = v1_1;
-        v0_1 = _e40;
+        let _e33 = v1_1;
+        let _e34 = v0_1;
+        let _e36 = v0_1;
+        let v3_ = ((_e33 ^ _e34) ^ (_e36 << 3u));
         // glimt_sampling/src/sobol.rs:93
-        let _e42 = v2_;
-        v1_1 = _e42;
+        let _e41 = v1_1;
+        v0_1 = _e41;
         // glimt_sampling/src/sobol.rs:94
-        v2_ = v3_;
+        let _e43 = v2_;
+        v1_1 = _e43;
         // glimt_sampling/src/sobol.rs:95
-        let _e45 = bits_1;
-        bits_1 = (_e45 >> 1u);
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:96
+        let _e46 = bits_1;
+        bits_1 = (_e46 >> 1u);
+        continuing {
+            let _e49 = counter_6;
+            counter_6 = (_e49 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:97
-    let _e49 = sum_2;
-    return _e49;
+    // glimt_sampling/src/sobol.rs:98
+    let _e53 = sum_2;
+    return _e53;
 }
 
 // glimt_sampling/src/sobol.rs:43
@@ -1259,55 +1271,55 @@ fn sobol_reversed(index_7: u32, dimension: u32) -> u32 {
     return _e23;
 }
 
-// glimt_sampling/src/sobol.rs:109
+// glimt_sampling/src/sobol.rs:110
 fn scramble_1(reversed: u32, dimension_1: u32, seed_3: u32) -> u32 {
     var chosen_7: u32;
 
-    // glimt_sampling/src/sobol.rs:110
+    // glimt_sampling/src/sobol.rs:111
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
-        // glimt_sampling/src/sobol.rs:111
+        // glimt_sampling/src/sobol.rs:112
         chosen_7 = 2435803578u;
     } else {
         if (_e6 == 1u) {
-            // glimt_sampling/src/sobol.rs:112
+            // glimt_sampling/src/sobol.rs:113
             chosen_7 = 391059627u;
         } else {
             if (_e6 == 2u) {
-                // glimt_sampling/src/sobol.rs:113
+                // glimt_sampling/src/sobol.rs:114
                 chosen_7 = 1763603146u;
             } else {
-                // glimt_sampling/src/sobol.rs:114
+                // glimt_sampling/src/sobol.rs:115
                 chosen_7 = 3020734904u;
             }
         }
     }
     let salt = chosen_7;
-    // glimt_sampling/src/sobol.rs:117
-    let _e27 = hash_u32_(((seed_3 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
+    let _e27 = hash_u32_(((seed_3 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:119
     let _e29 = owen_scramble_reversed(reversed, _e27);
     return reverseBits(_e29);
 }
 
-// glimt_sampling/src/sobol.rs:135
+// glimt_sampling/src/sobol.rs:136
 fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:136
+    // glimt_sampling/src/sobol.rs:137
     let _e5 = shuffle(index_8, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
 }
 
-// glimt_sampling/src/sobol.rs:182
+// glimt_sampling/src/sobol.rs:183
 fn OwenSobol_next_u32_(this_17: ptr<function, OwenSobol>) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:183
-    let dimension_3 = (*this_17).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_17).dimension = (dimension_3 + 1u);
+    let dimension_3 = (*this_17).dimension;
     // glimt_sampling/src/sobol.rs:185
+    (*this_17).dimension = (dimension_3 + 1u);
+    // glimt_sampling/src/sobol.rs:186
     let _e11 = (*this_17).index;
     let _e13 = (*this_17).seed;
     let _e16 = hash2_(_e13, (dimension_3 >> 2u));
@@ -1470,7 +1482,7 @@ fn Comb_take(this_21: ptr<function, Comb>, expected_1: f32, source_2: ptr<functi
 
 // glimt_sampling/src/resample.rs:121
 fn Comb_finish(this_22: ptr<function, Comb>, source_3: ptr<function, PatternSource>) -> u32 {
-    var counter_5: u32;
+    var counter_7: u32;
 
     // glimt_sampling/src/resample.rs:122
     let _e5 = (*this_22).teeth;
@@ -1485,17 +1497,17 @@ fn Comb_finish(this_22: ptr<function, Comb>, source_3: ptr<function, PatternSour
         let drawn = min(_e16, (_e18 + 1u));
         // glimt_sampling/src/resample.rs:126
         let _e24 = (*this_22).picks;
-        counter_5 = drawn;
+        counter_7 = drawn;
         loop {
-            let _e26 = counter_5;
+            let _e26 = counter_7;
             if (_e26 >= _e24) {
                 break;
             }
             // glimt_sampling/src/resample.rs:127
             let _e29 = PatternSource_next_u32_(source_3);
             continuing {
-                let _e30 = counter_5;
-                counter_5 = (_e30 + 1u);
+                let _e30 = counter_7;
+                counter_7 = (_e30 + 1u);
             }
         }
     }
@@ -1509,16 +1521,16 @@ fn Comb_finish(this_22: ptr<function, Comb>, source_3: ptr<function, PatternSour
 // glimt_smc/src/resample.rs:45
 fn spread(particles_start_3: u32, particles_len_3: u32) {
     var donor: u32;
-    var counter_6: u32;
+    var counter_8: u32;
     var both_1: bool;
 
     // glimt_smc/src/resample.rs:46
     // glimt_smc/src/resample.rs:47
     donor = 0u;
     // glimt_smc/src/resample.rs:48
-    counter_6 = 0u;
+    counter_8 = 0u;
     loop {
-        let i_5 = counter_6;
+        let i_5 = counter_8;
         if (i_5 >= particles_len_3) {
             break;
         }
@@ -1562,8 +1574,8 @@ fn spread(particles_start_3: u32, particles_len_3: u32) {
             particles[(particles_start_3 + i_5)].log_weight = 1f;
         }
         continuing {
-            let _e67 = counter_6;
-            counter_6 = (_e67 + 1u);
+            let _e67 = counter_8;
+            counter_8 = (_e67 + 1u);
         }
     }
     return;
@@ -1571,23 +1583,23 @@ fn spread(particles_start_3: u32, particles_len_3: u32) {
 
 // glimt_smc/src/weights.rs:7
 fn make_equal(particles_start_4: u32, particles_len_4: u32) {
-    var counter_7: u32;
+    var counter_9: u32;
 
     // glimt_smc/src/weights.rs:8
     // glimt_smc/src/weights.rs:9
     let log_weight_1 = -(log(f32(particles_len_4)));
     // glimt_smc/src/weights.rs:10
-    counter_7 = 0u;
+    counter_9 = 0u;
     loop {
-        let i_6 = counter_7;
+        let i_6 = counter_9;
         if (i_6 >= particles_len_4) {
             break;
         }
         // glimt_smc/src/weights.rs:11
         particles[(particles_start_4 + i_6)].log_weight = log_weight_1;
         continuing {
-            let _e18 = counter_7;
-            counter_7 = (_e18 + 1u);
+            let _e18 = counter_9;
+            counter_9 = (_e18 + 1u);
         }
     }
     return;
@@ -1596,11 +1608,11 @@ fn make_equal(particles_start_4: u32, particles_len_4: u32) {
 // glimt_smc/src/resample.rs:16
 fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_4: ptr<function, PatternSource>) {
     var sure_1: u32;
-    var counter_8: u32;
+    var counter_10: u32;
     var comb_1: Comb;
     var last: u32;
     var picks_1: u32;
-    var counter_9: u32;
+    var counter_11: u32;
 
     // glimt_smc/src/resample.rs:17
     // glimt_smc/src/resample.rs:18
@@ -1608,9 +1620,9 @@ fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_
     // glimt_smc/src/resample.rs:19
     sure_1 = 0u;
     // glimt_smc/src/resample.rs:20
-    counter_8 = 0u;
+    counter_10 = 0u;
     loop {
-        let i_7 = counter_8;
+        let i_7 = counter_10;
         if (i_7 >= particles_len_5) {
             break;
         }
@@ -1621,8 +1633,8 @@ fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_
         let _e24 = sure_1;
         sure_1 = (_e24 + _e23);
         continuing {
-            let _e26 = counter_8;
-            counter_8 = (_e26 + 1u);
+            let _e26 = counter_10;
+            counter_10 = (_e26 + 1u);
         }
     }
     // glimt_smc/src/resample.rs:23
@@ -1634,9 +1646,9 @@ fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_
     // glimt_smc/src/resample.rs:25
     picks_1 = 0u;
     // glimt_smc/src/resample.rs:26
-    counter_9 = 0u;
+    counter_11 = 0u;
     loop {
-        let i_8 = counter_9;
+        let i_8 = counter_11;
         if (i_8 >= particles_len_5) {
             break;
         }
@@ -1656,8 +1668,8 @@ fn resample(scheme_2: u32, particles_start_5: u32, particles_len_5: u32, source_
             last = i_8;
         }
         continuing {
-            let _e65 = counter_9;
-            counter_9 = (_e65 + 1u);
+            let _e65 = counter_11;
+            counter_11 = (_e65 + 1u);
         }
     }
     // glimt_smc/src/resample.rs:35
@@ -1696,41 +1708,41 @@ fn words(scheme_3: u32, picks_2: u32) -> u32 {
 
 // glimt_sampling/src/resample.rs:36
 fn skip(scheme_4: u32, picks_3: u32, source_5: ptr<function, PatternSource>) {
-    var counter_10: u32;
+    var counter_12: u32;
 
     // glimt_sampling/src/resample.rs:37
     let _e6 = words(scheme_4, picks_3);
-    counter_10 = 0u;
+    counter_12 = 0u;
     loop {
-        let _e8 = counter_10;
+        let _e8 = counter_12;
         if (_e8 >= _e6) {
             break;
         }
         // glimt_sampling/src/resample.rs:38
         let _e11 = PatternSource_next_u32_(source_5);
         continuing {
-            let _e12 = counter_10;
-            counter_10 = (_e12 + 1u);
+            let _e12 = counter_12;
+            counter_12 = (_e12 + 1u);
         }
     }
     return;
 }
 
-// glimt_sampling/src/sobol.rs:190
+// glimt_sampling/src/sobol.rs:191
 fn OwenSobol_next_uvec2_(this_23: ptr<function, OwenSobol>) -> vec2<u32> {
 
-    // glimt_sampling/src/sobol.rs:191
+    // glimt_sampling/src/sobol.rs:192
     let _e4 = (*this_23).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
-    // glimt_sampling/src/sobol.rs:192
-    (*this_23).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:193
+    (*this_23).dimension = (dimension_4 + 2u);
+    // glimt_sampling/src/sobol.rs:194
     let _e15 = (*this_23).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
-    // glimt_sampling/src/sobol.rs:194
+    // glimt_sampling/src/sobol.rs:195
     let _e21 = (*this_23).index;
     let _e22 = shuffle(_e21, _e18);
-    // glimt_sampling/src/sobol.rs:195
+    // glimt_sampling/src/sobol.rs:196
     let _e24 = sobol_reversed(_e22, dimension_4);
     let _e25 = scramble_1(_e24, dimension_4, _e18);
     let _e28 = sobol_reversed(_e22, (dimension_4 + 1u));
@@ -2544,7 +2556,7 @@ fn metropolis(k_2: u32, bridge_1: Bridge, target_previous_light_size_1: vec2<u32
 // glimt_smc/src/sampler.rs:47
 fn Sampler_step(this_35: Sampler, k_3: u32, target_previous_light_size_2: vec2<u32>, target_previous_light_rotation_2: vec2<f32>, target_previous_floor_2: f32, target_previous_lobe_2: LightLobe, target_light_size_2: vec2<u32>, target_light_rotation_2: vec2<f32>, target_floor_2: f32, target_lobe_2: LightLobe, proposal_pmf_first_1: f32, proposal_first_1: CapMove, proposal_second_pmf_first_1: f32, proposal_second_first_sampler_light_size_1: vec2<u32>, proposal_second_first_sampler_light_rotation_1: vec2<f32>, proposal_second_second_1: Independent_BrdfDraw, particles_start_6: u32, particles_len_6: u32, source_6: ptr<function, PatternSource>) -> Report {
     var accepted: u32;
-    var counter_11: u32;
+    var counter_13: u32;
     var borrowed_4: Particle;
     var chosen_24: u32;
 
@@ -2566,9 +2578,9 @@ fn Sampler_step(this_35: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
     // glimt_smc/src/sampler.rs:64
     accepted = 0u;
     // glimt_smc/src/sampler.rs:65
-    counter_11 = 0u;
+    counter_13 = 0u;
     loop {
-        let i_9 = counter_11;
+        let i_9 = counter_13;
         if (i_9 >= particles_len_6) {
             break;
         }
@@ -2592,8 +2604,8 @@ fn Sampler_step(this_35: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
             accepted = (_e68 + 1u);
         }
         continuing {
-            let _e70 = counter_11;
-            counter_11 = (_e70 + 1u);
+            let _e70 = counter_13;
+            counter_13 = (_e70 + 1u);
         }
     }
     // glimt_smc/src/sampler.rs:74
@@ -2611,7 +2623,7 @@ fn Sampler_step(this_35: Sampler, k_3: u32, target_previous_light_size_2: vec2<u
 // glimt_smc/src/sampler.rs:85
 fn Sampler_advance(this_36: Sampler, target_previous_light_size_3: vec2<u32>, target_previous_light_rotation_3: vec2<f32>, target_previous_floor_3: f32, target_previous_lobe_3: LightLobe, target_light_size_3: vec2<u32>, target_light_rotation_3: vec2<f32>, target_floor_3: f32, target_lobe_3: LightLobe, proposal_pmf_first_2: f32, proposal_first_2: CapMove, proposal_second_pmf_first_2: f32, proposal_second_first_sampler_light_size_2: vec2<u32>, proposal_second_first_sampler_light_rotation_2: vec2<f32>, proposal_second_second_2: Independent_BrdfDraw, particles_start_7: u32, particles_len_7: u32, source_7: ptr<function, PatternSource>) -> Report {
     var frame_2: Report;
-    var counter_12: u32;
+    var counter_14: u32;
     var chosen_25: f32;
     var either: bool;
 
@@ -2619,9 +2631,9 @@ fn Sampler_advance(this_36: Sampler, target_previous_light_size_3: vec2<u32>, ta
     frame_2 = Report(0f, f32(particles_len_7), 0u, 0u);
     // glimt_smc/src/sampler.rs:98
     let _e29 = Bridge_steps(this_36.bridge);
-    counter_12 = 1u;
+    counter_14 = 1u;
     loop {
-        let k_4 = counter_12;
+        let k_4 = counter_14;
         if (k_4 >= (_e29 + 1u)) {
             break;
         }
@@ -2657,8 +2669,8 @@ fn Sampler_advance(this_36: Sampler, target_previous_light_size_3: vec2<u32>, ta
         let _e69 = frame_2.accepted;
         frame_2.accepted = (_e69 + _e36.accepted);
         continuing {
-            let _e71 = counter_12;
-            counter_12 = (_e71 + 1u);
+            let _e71 = counter_14;
+            counter_14 = (_e71 + 1u);
         }
     }
     // glimt_smc/src/sampler.rs:109
@@ -2747,7 +2759,7 @@ fn PixelPattern_key(this_40: PixelPattern, purpose_5: u32) -> u32 {
 fn permute(index_10: u32, length_: u32, key: u32) -> u32 {
     var x_5: u32;
     var round_key: u32;
-    var counter_13: i32;
+    var counter_15: i32;
 
     // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
@@ -2765,9 +2777,9 @@ fn permute(index_10: u32, length_: u32, key: u32) -> u32 {
         // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
         // glimt_render_gpu/src/kernels/pattern.rs:230
-        counter_13 = 0i;
+        counter_15 = 0i;
         loop {
-            let _e31 = counter_13;
+            let _e31 = counter_15;
             if (_e31 >= 3i) {
                 break;
             }
@@ -2785,8 +2797,8 @@ fn permute(index_10: u32, length_: u32, key: u32) -> u32 {
             let _e56 = x_5;
             x_5 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter_13;
-                counter_13 = (_e58 + 1i);
+                let _e58 = counter_15;
+                counter_15 = (_e58 + 1i);
             }
         }
         // glimt_render_gpu/src/kernels/pattern.rs:236
@@ -3208,12 +3220,12 @@ fn RisPicks_take(this_49: ptr<function, RisPicks>, weight_1: f32) -> u32 {
 // glimt_render_gpu/src/kernels/smc.rs:144
 fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPattern, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, particles_start_9: u32, particles_len_9: u32) -> f32 {
     var weights_1: RisSum;
-    var counter_14: u32;
-    var counter_15: u32;
-    var picks_5: RisPicks;
-    var filled: u32;
     var counter_16: u32;
     var counter_17: u32;
+    var picks_5: RisPicks;
+    var filled: u32;
+    var counter_18: u32;
+    var counter_19: u32;
 
     // glimt_render_gpu/src/kernels/smc.rs:151
     // glimt_render_gpu/src/kernels/smc.rs:152
@@ -3222,9 +3234,9 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
     let _e15 = RisSum_new();
     weights_1 = _e15;
     // glimt_render_gpu/src/kernels/smc.rs:158
-    counter_14 = 0u;
+    counter_16 = 0u;
     loop {
-        let j = counter_14;
+        let j = counter_16;
         if (j >= this_50.candidates) {
             break;
         }
@@ -3232,8 +3244,8 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
         let _e24 = Candidates_draw(candidates, j, point_4, pattern_2, env_size_1, env_rotation_1);
         RisSum_add((&weights_1), _e24.weight);
         continuing {
-            let _e26 = counter_14;
-            counter_14 = (_e26 + 1u);
+            let _e26 = counter_16;
+            counter_16 = (_e26 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/smc.rs:161
@@ -3242,17 +3254,17 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
     // glimt_render_gpu/src/kernels/smc.rs:162
     if !((_e31 > 0f)) {
         // glimt_render_gpu/src/kernels/smc.rs:163
-        counter_15 = 0u;
+        counter_17 = 0u;
         loop {
-            let i_10 = counter_15;
+            let i_10 = counter_17;
             if (i_10 >= particles_len_9) {
                 break;
             }
             // glimt_render_gpu/src/kernels/smc.rs:164
             particles[(particles_start_9 + i_10)] = Particle(point_4.frame.n, -1000000000000000000000000000000f);
             continuing {
-                let _e49 = counter_15;
-                counter_15 = (_e49 + 1u);
+                let _e49 = counter_17;
+                counter_17 = (_e49 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/smc.rs:169
@@ -3266,9 +3278,9 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
     // glimt_render_gpu/src/kernels/smc.rs:172
     filled = 0u;
     // glimt_render_gpu/src/kernels/smc.rs:173
-    counter_16 = 0u;
+    counter_18 = 0u;
     loop {
-        let j_1 = counter_16;
+        let j_1 = counter_18;
         if (j_1 >= this_50.candidates) {
             break;
         }
@@ -3277,9 +3289,9 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
         // glimt_render_gpu/src/kernels/smc.rs:175
         let _e76 = RisPicks_take((&picks_5), _e73.weight);
         // glimt_render_gpu/src/kernels/smc.rs:176
-        counter_17 = 0u;
+        counter_19 = 0u;
         loop {
-            let _e80 = counter_17;
+            let _e80 = counter_19;
             if (_e80 >= _e76) {
                 break;
             }
@@ -3290,13 +3302,13 @@ fn SmcParams_start(this_50: SmcParams, point_4: ShadingPoint, pattern_2: PixelPa
             let _e91 = filled;
             filled = (_e91 + 1u);
             continuing {
-                let _e93 = counter_17;
-                counter_17 = (_e93 + 1u);
+                let _e93 = counter_19;
+                counter_19 = (_e93 + 1u);
             }
         }
         continuing {
-            let _e96 = counter_16;
-            counter_16 = (_e96 + 1u);
+            let _e96 = counter_18;
+            counter_18 = (_e96 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/smc.rs:181
@@ -3310,7 +3322,7 @@ fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
     var now: RayState;
     var chosen_31: u32;
     var chosen_32: u32;
-    var counter_18: u32;
+    var counter_20: u32;
     var source_12: PatternSource;
     var either_1: bool;
     var chosen_33: f32;
@@ -3368,9 +3380,9 @@ fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
         // glimt_render_gpu/src/kernels/smc.rs:235
         let first_6 = (seen.predecessor * particles_len_10);
         // glimt_render_gpu/src/kernels/smc.rs:236
-        counter_18 = 0u;
+        counter_20 = 0u;
         loop {
-            let i_11 = counter_18;
+            let i_11 = counter_20;
             if (i_11 >= particles_len_10) {
                 break;
             }
@@ -3378,8 +3390,8 @@ fn advance_smc_1(ray_2: u32, frame_3: FrameParams, smc: SmcParams, env_size_2: v
             let _e112 = past_particles[(first_6 + i_11)];
             particles[(particles_start_10 + i_11)] = _e112;
             continuing {
-                let _e116 = counter_18;
-                counter_18 = (_e116 + 1u);
+                let _e116 = counter_20;
+                counter_20 = (_e116 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/smc.rs:239

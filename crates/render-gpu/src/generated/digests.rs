@@ -3,10 +3,10 @@
 //! Made from Rust by naga-front-rust; do not edit. This command writes it: cargo run --release -p glimt-generate
 
 /// SHA-256, in hexadecimal, of the shaders that the pixels of a rendered frame depend on.
-pub const PIXELS: &str = "6f2ffd6ff8c5281d3511361adbf79e74105c21af4a8369c2c57b935ed008ecd5";
+pub const PIXELS: &str = "7474f86599fb5ddb8516da61c2b84d8be3cf3fa901f6233a742ae227fcc33df6";
 
 /// SHA-256, in hexadecimal, of the shaders that precomputed transfer depend on.
 pub const BAKE: &str = "e6d10553a9de673d2803da500d236f721763296e3698f3c0efbc6ba8daa2f43a";
 
 /// SHA-256, in hexadecimal, of the shaders that a simulated capture depend on.
-pub const SYNTH: &str = "2fb866978e9751bd8b2e85da9c3dc15c47b78218406eb7497064d826517c831a";
+pub const SYNTH: &str = "83e19319241281d0ddf7d1c94eb05aa984f71771b68efb21b688651a56cf21e8";

@@ -422,6 +422,25 @@ pub static SHADE_CELLS_LAYERS: Entry = Entry {
     ]),
 };
 
+/// `group_health::diagnose_groups` as a compute entry point.
+pub static DIAGNOSE_GROUPS: Entry = Entry {
+    name: Borrowed("diagnose_groups"),
+    kernel: Borrowed("glimt_render_gpu::kernels::group_health::diagnose_groups"),
+    wgsl: Borrowed(include_str!("diagnose_groups.wgsl")),
+    workgroup_size: 64,
+    params_size: 224,
+    params_space: ParamsSpace::Uniform,
+    params: Borrowed(&[
+        ParamField::new("first", 0, 4),
+        ParamField::new("count", 4, 4),
+        ParamField::new("frame", 16, 208),
+    ]),
+    buffers: Borrowed(&[
+        BufferSlot::new("points", 1, 112, false),
+        BufferSlot::new("out", 2, 8, true),
+    ]),
+};
+
 /// `smc_point::find_smc` as a compute entry point.
 pub static FIND_SMC: Entry = Entry {
     name: Borrowed("find_smc"),

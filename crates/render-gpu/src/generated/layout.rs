@@ -110,6 +110,9 @@ const _: () = {
     assert!(offset_of!(crate::kernels::frame::FrameParams, unused_c) == 108);
     assert!(offset_of!(crate::kernels::frame::FrameParams, to_plate) == 112);
     assert!(offset_of!(crate::kernels::frame::FrameParams, to_display) == 160);
+    assert!(size_of::<crate::kernels::group_health::GroupHealth>() == 8);
+    assert!(offset_of!(crate::kernels::group_health::GroupHealth, rays) == 0);
+    assert!(offset_of!(crate::kernels::group_health::GroupHealth, residual) == 4);
     assert!(size_of::<crate::kernels::layers::LayerSample>() == 32);
     assert!(offset_of!(crate::kernels::layers::LayerSample, radiance) == 0);
     assert!(offset_of!(crate::kernels::layers::LayerSample, alpha) == 12);
@@ -200,9 +203,9 @@ const _: () = {
     assert!(offset_of!(crate::kernels::seen::SeenPoint, diffuse) == 64);
     assert!(offset_of!(crate::kernels::seen::SeenPoint, order) == 76);
     assert!(offset_of!(crate::kernels::seen::SeenPoint, specular) == 80);
-    assert!(offset_of!(crate::kernels::seen::SeenPoint, unused_a) == 92);
+    assert!(offset_of!(crate::kernels::seen::SeenPoint, shadow_rays) == 92);
     assert!(offset_of!(crate::kernels::seen::SeenPoint, emission) == 96);
-    assert!(offset_of!(crate::kernels::seen::SeenPoint, unused_b) == 108);
+    assert!(offset_of!(crate::kernels::seen::SeenPoint, residual) == 108);
     assert!(size_of::<crate::kernels::sensor::SensorParams>() == 48);
     assert!(offset_of!(crate::kernels::sensor::SensorParams, longest_gain) == 0);
     assert!(offset_of!(crate::kernels::sensor::SensorParams, step) == 4);

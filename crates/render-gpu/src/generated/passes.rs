@@ -1321,6 +1321,58 @@ impl<'a, M: Memory> Pass for ShadeCellsLayers<'a, M> {
     }
 }
 
+/// `group_health::diagnose_groups` with its arguments.
+pub struct DiagnoseGroups<'a, M: Memory> {
+    /// The kernel's `frame`.
+    pub frame: &'a crate::kernels::frame::FrameParams,
+    /// The kernel's `points`.
+    pub points: M::Slice<'a, crate::kernels::seen::SeenPoint>,
+    /// What the kernel returns.
+    pub out: M::Chunks<'a, crate::kernels::group_health::GroupHealth>,
+}
+
+impl<'a, M: Memory> Pass for DiagnoseGroups<'a, M> {
+    type Memory = M;
+
+    fn entry() -> &'static Entry {
+        &entries::DIAGNOSE_GROUPS
+    }
+
+    fn bind(&self, binder: &mut impl Binder<M>) {
+        binder.value(2, self.frame);
+        binder.slice(0, self.points);
+        binder.out(1, &self.out);
+    }
+
+    fn elements(&self) -> usize
+    where
+        M: HostMemory,
+    {
+        M::count(&self.out)
+    }
+
+    fn split_at(self, at: usize) -> (Self, Self)
+    where
+        M: HostMemory,
+    {
+        let (out, rest_of_out) = M::split_at(self.out, at);
+        (
+            Self { frame: self.frame, points: self.points, out },
+            Self { frame: self.frame, points: self.points, out: rest_of_out },
+        )
+    }
+
+    fn compute(self, first: u32)
+    where
+        M: HostMemory,
+    {
+        let points = M::values(self.points);
+        for (id, out) in (first..).zip(M::each(self.out)) {
+            out[0] = crate::kernels::group_health::diagnose_groups(id, self.frame, points);
+        }
+    }
+}
+
 /// `smc_point::find_smc` with its arguments.
 pub struct FindSmc<'a, M: Memory> {
     /// The kernel's `frame`.

@@ -115,9 +115,9 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    unused_a: u32,
+    shadow_rays: u32,
     emission: vec3<f32>,
-    unused_b: u32,
+    residual: f32,
 }
 
 struct OwenSobol {
@@ -494,10 +494,10 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_sampling/src/sobol.rs:171
+// glimt_sampling/src/sobol.rs:172
 fn OwenSobol_new(seed: u32, frame_1: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
-    // glimt_sampling/src/sobol.rs:172
+    // glimt_sampling/src/sobol.rs:173
     let _e6 = hash3_(seed, frame_1, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
@@ -534,10 +534,10 @@ fn owen_scramble_reversed(n_2: u32, scramble: u32) -> u32 {
     return (_e25 ^ (_e26 * 1403136100u));
 }
 
-// glimt_sampling/src/sobol.rs:103
+// glimt_sampling/src/sobol.rs:104
 fn shuffle(index_1: u32, seed_1: u32) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:104
+    // glimt_sampling/src/sobol.rs:105
     let _e7 = hash_u32_((seed_1 ^ 2043055690u));
     let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
     return reverseBits(_e8);
@@ -573,6 +573,7 @@ fn recurrence_2_(index_3: u32) -> u32 {
     var v0_: u32;
     var v1_: u32;
     var sum: u32;
+    var counter: i32;
 
     // glimt_sampling/src/sobol.rs:67
     bits = index_3;
@@ -582,85 +583,96 @@ fn recurrence_2_(index_3: u32) -> u32 {
     v1_ = 3u;
     // glimt_sampling/src/sobol.rs:70
     sum = 0u;
-    // glimt_sampling/src/sobol.rs:71
+    // glimt_sampling/src/sobol.rs:72
+    counter = 0i;
     loop {
-        let _e14 = bits;
-        if !((_e14 != 0u)) {
+        let _e17 = counter;
+        if (_e17 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:72
-        let _e19 = v0_;
-        let _e20 = bits;
-        let _e26 = sum;
-        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
         // glimt_sampling/src/sobol.rs:73
-        let _e29 = v1_;
-        let _e30 = v0_;
-        let _e32 = v0_;
-        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        let _e20 = v0_;
+        let _e21 = bits;
+        let _e27 = sum;
+        sum = (_e27 ^ (_e20 & (0u - (_e21 & 1u))));
         // glimt_sampling/src/sobol.rs:74
-        let _e37 = v1_;
-        v0_ = _e37;
+        let _e30 = v1_;
+        let _e31 = v0_;
+        let _e33 = v0_;
+        let v2_1 = ((_e30 ^ _e31) ^ (_e33 << 2u));
         // glimt_sampling/src/sobol.rs:75
-        v1_ = v2_1;
+        let _e38 = v1_;
+        v0_ = _e38;
         // glimt_sampling/src/sobol.rs:76
-        let _e40 = bits;
-        bits = (_e40 >> 1u);
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:77
+        let _e41 = bits;
+        bits = (_e41 >> 1u);
+        continuing {
+            let _e44 = counter;
+            counter = (_e44 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:78
-    let _e44 = sum;
-    return _e44;
+    // glimt_sampling/src/sobol.rs:79
+    let _e48 = sum;
+    return _e48;
 }
 
-// glimt_sampling/src/sobol.rs:83
+// glimt_sampling/src/sobol.rs:84
 fn recurrence_3_(index_4: u32) -> u32 {
     var bits_1: u32;
     var v0_1: u32;
     var v1_1: u32;
     var v2_: u32;
     var sum_1: u32;
+    var counter_1: i32;
 
-    // glimt_sampling/src/sobol.rs:84
-    bits_1 = index_4;
     // glimt_sampling/src/sobol.rs:85
-    v0_1 = 1u;
+    bits_1 = index_4;
     // glimt_sampling/src/sobol.rs:86
-    v1_1 = 3u;
+    v0_1 = 1u;
     // glimt_sampling/src/sobol.rs:87
-    v2_ = 4u;
+    v1_1 = 3u;
     // glimt_sampling/src/sobol.rs:88
-    sum_1 = 0u;
+    v2_ = 4u;
     // glimt_sampling/src/sobol.rs:89
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:90
+    counter_1 = 0i;
     loop {
-        let _e17 = bits_1;
-        if !((_e17 != 0u)) {
+        let _e20 = counter_1;
+        if (_e20 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:90
-        let _e22 = v0_1;
-        let _e23 = bits_1;
-        let _e29 = sum_1;
-        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
         // glimt_sampling/src/sobol.rs:91
-        let _e32 = v1_1;
-        let _e33 = v0_1;
-        let _e35 = v0_1;
-        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        let _e23 = v0_1;
+        let _e24 = bits_1;
+        let _e30 = sum_1;
+        sum_1 = (_e30 ^ (_e23 & (0u - (_e24 & 1u))));
         // glimt_sampling/src/sobol.rs:92
-        let _e40 = v1_1;
-        v0_1 = _e40;
+        let _e33 = v1_1;
+        let _e34 = v0_1;
+        let _e36 = v0_1;
+        let v3_ = ((_e33 ^ _e34) ^ (_e36 << 3u));
         // glimt_sampling/src/sobol.rs:93
-        let _e42 = v2_;
-        v1_1 = _e42;
+        let _e41 = v1_1;
+        v0_1 = _e41;
         // glimt_sampling/src/sobol.rs:94
-        v2_ = v3_;
+        let _e43 = v2_;
+        v1_1 = _e43;
         // glimt_sampling/src/sobol.rs:95
-        let _e45 = bits_1;
-        bits_1 = (_e45 >> 1u);
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:96
+        let _e46 = bits_1;
+        bits_1 = (_e46 >> 1u);
+        continuing {
+            let _e49 = counter_1;
+            counter_1 = (_e49 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:97
-    let _e49 = sum_1;
-    return _e49;
+    // glimt_sampling/src/sobol.rs:98
+    let _e53 = sum_1;
+    return _e53;
 }
 
 // glimt_sampling/src/sobol.rs:43
@@ -695,52 +707,52 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     return _e23;
 }
 
-// glimt_sampling/src/sobol.rs:109
+// glimt_sampling/src/sobol.rs:110
 fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
     var chosen_1: u32;
 
-    // glimt_sampling/src/sobol.rs:110
+    // glimt_sampling/src/sobol.rs:111
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
-        // glimt_sampling/src/sobol.rs:111
+        // glimt_sampling/src/sobol.rs:112
         chosen_1 = 2435803578u;
     } else {
         if (_e6 == 1u) {
-            // glimt_sampling/src/sobol.rs:112
+            // glimt_sampling/src/sobol.rs:113
             chosen_1 = 391059627u;
         } else {
             if (_e6 == 2u) {
-                // glimt_sampling/src/sobol.rs:113
+                // glimt_sampling/src/sobol.rs:114
                 chosen_1 = 1763603146u;
             } else {
-                // glimt_sampling/src/sobol.rs:114
+                // glimt_sampling/src/sobol.rs:115
                 chosen_1 = 3020734904u;
             }
         }
     }
     let salt = chosen_1;
-    // glimt_sampling/src/sobol.rs:117
-    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:119
     let _e29 = owen_scramble_reversed(reversed, _e27);
     return reverseBits(_e29);
 }
 
-// glimt_sampling/src/sobol.rs:190
+// glimt_sampling/src/sobol.rs:191
 fn OwenSobol_next_uvec2_(this_4: ptr<function, OwenSobol>) -> vec2<u32> {
 
-    // glimt_sampling/src/sobol.rs:191
+    // glimt_sampling/src/sobol.rs:192
     let _e4 = (*this_4).dimension;
     let dimension_2 = ((_e4 + 1u) & 4294967294u);
-    // glimt_sampling/src/sobol.rs:192
-    (*this_4).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
+    (*this_4).dimension = (dimension_2 + 2u);
+    // glimt_sampling/src/sobol.rs:194
     let _e15 = (*this_4).seed;
     let _e18 = hash2_(_e15, (dimension_2 >> 2u));
-    // glimt_sampling/src/sobol.rs:194
+    // glimt_sampling/src/sobol.rs:195
     let _e21 = (*this_4).index;
     let _e22 = shuffle(_e21, _e18);
-    // glimt_sampling/src/sobol.rs:195
+    // glimt_sampling/src/sobol.rs:196
     let _e24 = sobol_reversed(_e22, dimension_2);
     let _e25 = scramble_1(_e24, dimension_2, _e18);
     let _e28 = sobol_reversed(_e22, (dimension_2 + 1u));
@@ -909,7 +921,7 @@ fn PixelPattern_key(this_8: PixelPattern, purpose_2: u32) -> u32 {
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
-    var counter: i32;
+    var counter_2: i32;
 
     // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
@@ -927,9 +939,9 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
         // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
         // glimt_render_gpu/src/kernels/pattern.rs:230
-        counter = 0i;
+        counter_2 = 0i;
         loop {
-            let _e31 = counter;
+            let _e31 = counter_2;
             if (_e31 >= 3i) {
                 break;
             }
@@ -947,8 +959,8 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
             let _e56 = x_4;
             x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter;
-                counter = (_e58 + 1i);
+                let _e58 = counter_2;
+                counter_2 = (_e58 + 1i);
             }
         }
         // glimt_render_gpu/src/kernels/pattern.rs:236
@@ -1635,7 +1647,7 @@ fn held(index_14: u32, triangle_5: Triangle, ray_7: Ray, t_1: f32, no_catcher: b
 // glimt_render_gpu/src/kernels/bvh.rs:187
 fn visit_leaf(first_2: u32, ray_8: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
-    var counter_1: u32;
+    var counter_3: u32;
     var t_2: f32;
     var both_1: bool;
 
@@ -1643,9 +1655,9 @@ fn visit_leaf(first_2: u32, ray_8: Ray, reach_1: ptr<function, f32>, best: u32, 
     nearest = best;
     // glimt_render_gpu/src/kernels/bvh.rs:197
     let _e12 = scene_triangles[first_2].run;
-    counter_1 = first_2;
+    counter_3 = first_2;
     loop {
-        let i = counter_1;
+        let i = counter_3;
         if (i >= (first_2 + _e12)) {
             break;
         }
@@ -1682,8 +1694,8 @@ fn visit_leaf(first_2: u32, ray_8: Ray, reach_1: ptr<function, f32>, best: u32, 
             nearest = i;
         }
         continuing {
-            let _e49 = counter_1;
-            counter_1 = (_e49 + 1u);
+            let _e49 = counter_3;
+            counter_3 = (_e49 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/bvh.rs:208
@@ -1701,7 +1713,7 @@ fn traverse(ray_9: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var node_2: BvhNode;
     var met: Met;
     var distance_: f32;
-    var counter_2: u32;
+    var counter_4: u32;
     var waiting: u32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:133
@@ -1736,9 +1748,9 @@ fn traverse(ray_9: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:146
             distance_ = 0x1.fffffep+127f;
             // glimt_render_gpu/src/kernels/bvh.rs:148
-            counter_2 = 0u;
+            counter_4 = 0u;
             loop {
-                let i_1 = counter_2;
+                let i_1 = counter_4;
                 if (i_1 >= 4u) {
                     break;
                 }
@@ -1781,8 +1793,8 @@ fn traverse(ray_9: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
                     }
                 }
                 continuing {
-                    let _e94 = counter_2;
-                    counter_2 = (_e94 + 1u);
+                    let _e94 = counter_4;
+                    counter_4 = (_e94 + 1u);
                 }
             }
         } else {
@@ -2193,57 +2205,57 @@ fn Triangle_object_index(this_27: Triangle) -> u32 {
     return (this_27.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:124
+// glimt_render_gpu/src/kernels/seen.rs:125
 fn see_by(pattern_1: PixelPattern, frame_3: FrameParams) -> SeenPoint {
     var chosen_11: u32;
     var chosen_12: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/seen.rs:125
-    let _e4 = FrameParams_camera_ray(frame_3, pattern_1);
     // glimt_render_gpu/src/kernels/seen.rs:126
+    let _e4 = FrameParams_camera_ray(frame_3, pattern_1);
+    // glimt_render_gpu/src/kernels/seen.rs:127
     let _e6 = Scene_closest_hit(_e4);
     if !(_e6.is_some) {
-        // glimt_render_gpu/src/kernels/seen.rs:127
-        return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
+        // glimt_render_gpu/src/kernels/seen.rs:128
+        return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f);
     }
     let hit_1 = _e6.value;
-    // glimt_render_gpu/src/kernels/seen.rs:129
-    let _e34 = Scene_shading_point(_e4, hit_1);
     // glimt_render_gpu/src/kernels/seen.rs:130
-    let triangle_8 = scene_triangles[hit_1.triangle];
+    let _e34 = Scene_shading_point(_e4, hit_1);
     // glimt_render_gpu/src/kernels/seen.rs:131
-    let _e41 = Triangle_is_catcher(triangle_8);
+    let triangle_8 = scene_triangles[hit_1.triangle];
     // glimt_render_gpu/src/kernels/seen.rs:132
+    let _e41 = Triangle_is_catcher(triangle_8);
+    // glimt_render_gpu/src/kernels/seen.rs:133
     let _e44 = Triangle_object_index(triangle_8);
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:136
+        // glimt_render_gpu/src/kernels/seen.rs:137
         chosen_11 = 2u;
     } else {
         chosen_11 = 0u;
     }
     let _e52 = chosen_11;
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:146
+        // glimt_render_gpu/src/kernels/seen.rs:147
         chosen_12 = vec3(0f);
     } else {
-        // glimt_render_gpu/src/kernels/seen.rs:148
+        // glimt_render_gpu/src/kernels/seen.rs:149
         chosen_12 = _e34.emission;
     }
     let _e72 = chosen_12;
-    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_8.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
+    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_8.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0f);
 }
 
 // glimt_render_gpu/src/kernels/cell_state.rs:83
 fn slot_of(surface: u32, first_3: u32) -> u32 {
     var slot: u32;
-    var counter_3: u32;
+    var counter_5: u32;
 
     // glimt_render_gpu/src/kernels/cell_state.rs:84
     slot = 0u;
     // glimt_render_gpu/src/kernels/cell_state.rs:85
-    counter_3 = 0u;
+    counter_5 = 0u;
     loop {
-        let i_2 = counter_3;
+        let i_2 = counter_5;
         if (i_2 >= 3u) {
             break;
         }
@@ -2256,8 +2268,8 @@ fn slot_of(surface: u32, first_3: u32) -> u32 {
             slot = (i_2 + 1u);
         }
         continuing {
-            let _e35 = counter_3;
-            counter_3 = (_e35 + 1u);
+            let _e35 = counter_5;
+            counter_5 = (_e35 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/cell_state.rs:92
@@ -2265,19 +2277,19 @@ fn slot_of(surface: u32, first_3: u32) -> u32 {
     return _e39;
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:77
+// glimt_render_gpu/src/kernels/seen.rs:78
 fn SeenPoint_is_hit(this_28: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:78
+    // glimt_render_gpu/src/kernels/seen.rs:79
     return (this_28.surface != 0u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:98
+// glimt_render_gpu/src/kernels/seen.rs:99
 fn SeenPoint_shading_point(this_29: SeenPoint) -> ShadingPoint {
 
-    // glimt_render_gpu/src/kernels/seen.rs:99
-    let _e4 = ShadingFrame_from_normal(this_29.normal);
     // glimt_render_gpu/src/kernels/seen.rs:100
+    let _e4 = ShadingFrame_from_normal(this_29.normal);
+    // glimt_render_gpu/src/kernels/seen.rs:101
     let _e9 = ShadingFrame_to_local(_e4, this_29.wo);
     return ShadingPoint(this_29.origin, this_29.geometric_normal, _e4, _e9, BlinnPhong(this_29.diffuse, this_29.specular, this_29.exponent), this_29.emission);
 }
@@ -2340,10 +2352,10 @@ fn Representative_alone(normal_3: vec3<f32>, wo_1: vec3<f32>, diffuse: f32, spec
     return Representative(normal_7, vec3(diffuse), vec3(specular), exponent_2, _e17.peak, _e17);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:84
+// glimt_render_gpu/src/kernels/seen.rs:85
 fn SeenPoint_is_catcher(this_30: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:85
+    // glimt_render_gpu/src/kernels/seen.rs:86
     return ((this_30.flags & 2u) != 0u);
 }
 
@@ -2633,7 +2645,7 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_6: u32, factor
 // glimt_render_gpu/src/kernels/proposal.rs:188
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_from: u32, expected_turned: u32, is_catcher_1: bool) -> Totals {
     var t_4: Totals;
-    var counter_4: u32;
+    var counter_6: u32;
 
     // glimt_render_gpu/src/kernels/proposal.rs:194
     let surface_3 = of_.surface;
@@ -2642,9 +2654,9 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
     // glimt_render_gpu/src/kernels/proposal.rs:196
     t_4 = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/proposal.rs:211
-    counter_4 = 0u;
+    counter_6 = 0u;
     loop {
-        let quad_7 = counter_4;
+        let quad_7 = counter_6;
         if (quad_7 >= 128u) {
             break;
         }
@@ -2734,8 +2746,8 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
             t_4.live = (_e202 + live);
         }
         continuing {
-            let _e204 = counter_4;
-            counter_4 = (_e204 + 1u);
+            let _e204 = counter_6;
+            counter_6 = (_e204 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:249
@@ -2767,9 +2779,9 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var total: f32;
     var quads: array<f32, 128>;
     var rows: array<f32, 16>;
-    var counter_5: u32;
+    var counter_7: u32;
     var of_row: f32;
-    var counter_6: u32;
+    var counter_8: u32;
     var lobe_share: f32;
 
     // glimt_render_gpu/src/kernels/proposal.rs:290
@@ -2864,18 +2876,18 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     // glimt_render_gpu/src/kernels/proposal.rs:324
     rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:325
-    counter_5 = 0u;
+    counter_7 = 0u;
     loop {
-        let row_2 = counter_5;
+        let row_2 = counter_7;
         if (row_2 >= 16u) {
             break;
         }
         // glimt_render_gpu/src/kernels/proposal.rs:326
         of_row = 0f;
         // glimt_render_gpu/src/kernels/proposal.rs:327
-        counter_6 = (row_2 * 8u);
+        counter_8 = (row_2 * 8u);
         loop {
-            let quad_8 = counter_6;
+            let quad_8 = counter_8;
             if (quad_8 >= ((row_2 + 1u) * 8u)) {
                 break;
             }
@@ -2890,8 +2902,8 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
             let _e182 = of_row;
             of_row = (_e182 + weight_2);
             continuing {
-                let _e184 = counter_6;
-                counter_6 = (_e184 + 1u);
+                let _e184 = counter_8;
+                counter_8 = (_e184 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/proposal.rs:332
@@ -2902,8 +2914,8 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
         let _e192 = total;
         total = (_e192 + _e191);
         continuing {
-            let _e194 = counter_5;
-            counter_5 = (_e194 + 1u);
+            let _e194 = counter_7;
+            counter_7 = (_e194 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:335
@@ -3320,9 +3332,9 @@ fn CellAt_new(lane: u32, weight: vec4<f32>, flux_4: vec4<f32>, terms_5: CellTerm
 fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_from_2: u32, expected_turned_2: u32) -> CellDraw {
     var self_: Proposal;
     var row_place: Place;
-    var counter_7: u32;
+    var counter_9: u32;
     var quad_place: Place;
-    var counter_8: u32;
+    var counter_10: u32;
     var cell_place: Place;
 
     self_ = this_39;
@@ -3332,9 +3344,9 @@ fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     let _e14 = Place_new((_e10 * _e12));
     row_place = _e14;
     // glimt_render_gpu/src/kernels/proposal.rs:421
-    counter_7 = 0u;
+    counter_9 = 0u;
     loop {
-        let row_5 = counter_7;
+        let row_5 = counter_9;
         if (row_5 >= 16u) {
             break;
         }
@@ -3342,8 +3354,8 @@ fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
         let _e25 = self_.rows[row_5];
         Place_offer((&row_place), row_5, _e25);
         continuing {
-            let _e26 = counter_7;
-            counter_7 = (_e26 + 1u);
+            let _e26 = counter_9;
+            counter_9 = (_e26 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:424
@@ -3357,9 +3369,9 @@ fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     let _e41 = Place_new(target_1);
     quad_place = _e41;
     // glimt_render_gpu/src/kernels/proposal.rs:427
-    counter_8 = first_10;
+    counter_10 = first_10;
     loop {
-        let quad_9 = counter_8;
+        let quad_9 = counter_10;
         if (quad_9 >= (first_10 + 8u)) {
             break;
         }
@@ -3367,8 +3379,8 @@ fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
         let _e52 = self_.quads[quad_9];
         Place_offer((&quad_place), quad_9, _e52);
         continuing {
-            let _e53 = counter_8;
-            counter_8 = (_e53 + 1u);
+            let _e53 = counter_10;
+            counter_10 = (_e53 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:430
@@ -3497,21 +3509,21 @@ fn count_2(word_6: u32, cell_4: u32, arrives_1: bool) -> u32 {
 
 // glimt_render_gpu/src/kernels/pilot.rs:28
 fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, counts_start: u32, counts_len: u32) {
-    var counter_9: u32;
-    var counter_10: u32;
     var counter_11: u32;
+    var counter_12: u32;
+    var counter_13: u32;
     var seen_1: SeenPoint;
     var proposal: Proposal;
     var chosen_24: u32;
-    var counter_12: u32;
+    var counter_14: u32;
     var borrowed_4: PatternSource;
 
     // glimt_render_gpu/src/kernels/pilot.rs:38
     let first_11 = (tile_1 * 3u);
     // glimt_render_gpu/src/kernels/pilot.rs:39
-    counter_9 = 0u;
+    counter_11 = 0u;
     loop {
-        let slot_1 = counter_9;
+        let slot_1 = counter_11;
         if (slot_1 >= 3u) {
             break;
         }
@@ -3519,9 +3531,9 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
         let _e20 = entries[(first_11 + slot_1)];
         let _e22 = TileEntry_remembered(_e20, cells.turned);
         // glimt_render_gpu/src/kernels/pilot.rs:41
-        counter_10 = 0u;
+        counter_12 = 0u;
         loop {
-            let word_9 = counter_10;
+            let word_9 = counter_12;
             if (word_9 >= 256u) {
                 break;
             }
@@ -3529,13 +3541,13 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
             let _e32 = Remembered_word(_e22.value_from, _e22.value_turned, word_9);
             counts[(counts_start + ((slot_1 * 256u) + word_9))] = _e32;
             continuing {
-                let _e39 = counter_10;
-                counter_10 = (_e39 + 1u);
+                let _e39 = counter_12;
+                counter_12 = (_e39 + 1u);
             }
         }
         continuing {
-            let _e42 = counter_9;
-            counter_9 = (_e42 + 1u);
+            let _e42 = counter_11;
+            counter_11 = (_e42 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/pilot.rs:45
@@ -3553,9 +3565,9 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
     // glimt_render_gpu/src/kernels/pilot.rs:49
     let _e74 = Environment_cells(env_size_1, env_rotation_1);
     // glimt_render_gpu/src/kernels/pilot.rs:50
-    counter_11 = 0u;
+    counter_13 = 0u;
     loop {
-        let i_3 = counter_11;
+        let i_3 = counter_13;
         if (i_3 >= 64u) {
             break;
         }
@@ -3566,7 +3578,7 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
         // glimt_render_gpu/src/kernels/pilot.rs:55
         let _e107 = FrameParams_pattern_at(frame_4, pixel_4, 0u);
         // glimt_render_gpu/src/kernels/pilot.rs:56
-        seen_1 = SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
+        seen_1 = SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f);
         // glimt_render_gpu/src/kernels/pilot.rs:57
         if (place_5 < (columns_1 * rows_3)) {
             // glimt_render_gpu/src/kernels/pilot.rs:58
@@ -3616,9 +3628,9 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
             }
             let rays = chosen_24;
             // glimt_render_gpu/src/kernels/pilot.rs:81
-            counter_12 = 0u;
+            counter_14 = 0u;
             loop {
-                let s_7 = counter_12;
+                let s_7 = counter_14;
                 if (s_7 >= rays) {
                     break;
                 }
@@ -3643,14 +3655,14 @@ fn pilot_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, env_size_1: vec
                     counts[(counts_start + at_6)] = _e241;
                 }
                 continuing {
-                    let _e245 = counter_12;
-                    counter_12 = (_e245 + 1u);
+                    let _e245 = counter_14;
+                    counter_14 = (_e245 + 1u);
                 }
             }
         }
         continuing {
-            let _e248 = counter_11;
-            counter_11 = (_e248 + 1u);
+            let _e248 = counter_13;
+            counter_13 = (_e248 + 1u);
         }
     }
     return;

@@ -197,9 +197,9 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    unused_a: u32,
+    shadow_rays: u32,
     emission: vec3<f32>,
-    unused_b: u32,
+    residual: f32,
 }
 
 struct ShadingFrame {
@@ -309,10 +309,10 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_sampling/src/sobol.rs:171
+// glimt_sampling/src/sobol.rs:172
 fn OwenSobol_new(seed: u32, frame_1: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
-    // glimt_sampling/src/sobol.rs:172
+    // glimt_sampling/src/sobol.rs:173
     let _e6 = hash3_(seed, frame_1, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
@@ -349,10 +349,10 @@ fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
     return (_e25 ^ (_e26 * 1403136100u));
 }
 
-// glimt_sampling/src/sobol.rs:103
+// glimt_sampling/src/sobol.rs:104
 fn shuffle(index_1: u32, seed_1: u32) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:104
+    // glimt_sampling/src/sobol.rs:105
     let _e7 = hash_u32_((seed_1 ^ 2043055690u));
     let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
     return reverseBits(_e8);
@@ -388,6 +388,7 @@ fn recurrence_2_(index_3: u32) -> u32 {
     var v0_: u32;
     var v1_: u32;
     var sum: u32;
+    var counter: i32;
 
     // glimt_sampling/src/sobol.rs:67
     bits = index_3;
@@ -397,85 +398,96 @@ fn recurrence_2_(index_3: u32) -> u32 {
     v1_ = 3u;
     // glimt_sampling/src/sobol.rs:70
     sum = 0u;
-    // glimt_sampling/src/sobol.rs:71
+    // glimt_sampling/src/sobol.rs:72
+    counter = 0i;
     loop {
-        let _e14 = bits;
-        if !((_e14 != 0u)) {
+        let _e17 = counter;
+        if (_e17 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:72
-        let _e19 = v0_;
-        let _e20 = bits;
-        let _e26 = sum;
-        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
         // glimt_sampling/src/sobol.rs:73
-        let _e29 = v1_;
-        let _e30 = v0_;
-        let _e32 = v0_;
-        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        let _e20 = v0_;
+        let _e21 = bits;
+        let _e27 = sum;
+        sum = (_e27 ^ (_e20 & (0u - (_e21 & 1u))));
         // glimt_sampling/src/sobol.rs:74
-        let _e37 = v1_;
-        v0_ = _e37;
+        let _e30 = v1_;
+        let _e31 = v0_;
+        let _e33 = v0_;
+        let v2_1 = ((_e30 ^ _e31) ^ (_e33 << 2u));
         // glimt_sampling/src/sobol.rs:75
-        v1_ = v2_1;
+        let _e38 = v1_;
+        v0_ = _e38;
         // glimt_sampling/src/sobol.rs:76
-        let _e40 = bits;
-        bits = (_e40 >> 1u);
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:77
+        let _e41 = bits;
+        bits = (_e41 >> 1u);
+        continuing {
+            let _e44 = counter;
+            counter = (_e44 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:78
-    let _e44 = sum;
-    return _e44;
+    // glimt_sampling/src/sobol.rs:79
+    let _e48 = sum;
+    return _e48;
 }
 
-// glimt_sampling/src/sobol.rs:83
+// glimt_sampling/src/sobol.rs:84
 fn recurrence_3_(index_4: u32) -> u32 {
     var bits_1: u32;
     var v0_1: u32;
     var v1_1: u32;
     var v2_: u32;
     var sum_1: u32;
+    var counter_1: i32;
 
-    // glimt_sampling/src/sobol.rs:84
-    bits_1 = index_4;
     // glimt_sampling/src/sobol.rs:85
-    v0_1 = 1u;
+    bits_1 = index_4;
     // glimt_sampling/src/sobol.rs:86
-    v1_1 = 3u;
+    v0_1 = 1u;
     // glimt_sampling/src/sobol.rs:87
-    v2_ = 4u;
+    v1_1 = 3u;
     // glimt_sampling/src/sobol.rs:88
-    sum_1 = 0u;
+    v2_ = 4u;
     // glimt_sampling/src/sobol.rs:89
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:90
+    counter_1 = 0i;
     loop {
-        let _e17 = bits_1;
-        if !((_e17 != 0u)) {
+        let _e20 = counter_1;
+        if (_e20 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:90
-        let _e22 = v0_1;
-        let _e23 = bits_1;
-        let _e29 = sum_1;
-        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
         // glimt_sampling/src/sobol.rs:91
-        let _e32 = v1_1;
-        let _e33 = v0_1;
-        let _e35 = v0_1;
-        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        let _e23 = v0_1;
+        let _e24 = bits_1;
+        let _e30 = sum_1;
+        sum_1 = (_e30 ^ (_e23 & (0u - (_e24 & 1u))));
         // glimt_sampling/src/sobol.rs:92
-        let _e40 = v1_1;
-        v0_1 = _e40;
+        let _e33 = v1_1;
+        let _e34 = v0_1;
+        let _e36 = v0_1;
+        let v3_ = ((_e33 ^ _e34) ^ (_e36 << 3u));
         // glimt_sampling/src/sobol.rs:93
-        let _e42 = v2_;
-        v1_1 = _e42;
+        let _e41 = v1_1;
+        v0_1 = _e41;
         // glimt_sampling/src/sobol.rs:94
-        v2_ = v3_;
+        let _e43 = v2_;
+        v1_1 = _e43;
         // glimt_sampling/src/sobol.rs:95
-        let _e45 = bits_1;
-        bits_1 = (_e45 >> 1u);
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:96
+        let _e46 = bits_1;
+        bits_1 = (_e46 >> 1u);
+        continuing {
+            let _e49 = counter_1;
+            counter_1 = (_e49 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:97
-    let _e49 = sum_1;
-    return _e49;
+    // glimt_sampling/src/sobol.rs:98
+    let _e53 = sum_1;
+    return _e53;
 }
 
 // glimt_sampling/src/sobol.rs:43
@@ -510,52 +522,52 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     return _e23;
 }
 
-// glimt_sampling/src/sobol.rs:109
+// glimt_sampling/src/sobol.rs:110
 fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
     var chosen_1: u32;
 
-    // glimt_sampling/src/sobol.rs:110
+    // glimt_sampling/src/sobol.rs:111
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
-        // glimt_sampling/src/sobol.rs:111
+        // glimt_sampling/src/sobol.rs:112
         chosen_1 = 2435803578u;
     } else {
         if (_e6 == 1u) {
-            // glimt_sampling/src/sobol.rs:112
+            // glimt_sampling/src/sobol.rs:113
             chosen_1 = 391059627u;
         } else {
             if (_e6 == 2u) {
-                // glimt_sampling/src/sobol.rs:113
+                // glimt_sampling/src/sobol.rs:114
                 chosen_1 = 1763603146u;
             } else {
-                // glimt_sampling/src/sobol.rs:114
+                // glimt_sampling/src/sobol.rs:115
                 chosen_1 = 3020734904u;
             }
         }
     }
     let salt = chosen_1;
-    // glimt_sampling/src/sobol.rs:117
-    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:119
     let _e29 = owen_scramble_reversed(reversed, _e27);
     return reverseBits(_e29);
 }
 
-// glimt_sampling/src/sobol.rs:190
+// glimt_sampling/src/sobol.rs:191
 fn OwenSobol_next_uvec2_(this_3: ptr<function, OwenSobol>) -> vec2<u32> {
 
-    // glimt_sampling/src/sobol.rs:191
+    // glimt_sampling/src/sobol.rs:192
     let _e4 = (*this_3).dimension;
     let dimension_2 = ((_e4 + 1u) & 4294967294u);
-    // glimt_sampling/src/sobol.rs:192
-    (*this_3).dimension = (dimension_2 + 2u);
     // glimt_sampling/src/sobol.rs:193
+    (*this_3).dimension = (dimension_2 + 2u);
+    // glimt_sampling/src/sobol.rs:194
     let _e15 = (*this_3).seed;
     let _e18 = hash2_(_e15, (dimension_2 >> 2u));
-    // glimt_sampling/src/sobol.rs:194
+    // glimt_sampling/src/sobol.rs:195
     let _e21 = (*this_3).index;
     let _e22 = shuffle(_e21, _e18);
-    // glimt_sampling/src/sobol.rs:195
+    // glimt_sampling/src/sobol.rs:196
     let _e24 = sobol_reversed(_e22, dimension_2);
     let _e25 = scramble_1(_e24, dimension_2, _e18);
     let _e28 = sobol_reversed(_e22, (dimension_2 + 1u));
@@ -724,7 +736,7 @@ fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
-    var counter: i32;
+    var counter_2: i32;
 
     // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
@@ -742,9 +754,9 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
         // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
         // glimt_render_gpu/src/kernels/pattern.rs:230
-        counter = 0i;
+        counter_2 = 0i;
         loop {
-            let _e31 = counter;
+            let _e31 = counter_2;
             if (_e31 >= 3i) {
                 break;
             }
@@ -762,8 +774,8 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
             let _e56 = x_4;
             x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter;
-                counter = (_e58 + 1i);
+                let _e58 = counter_2;
+                counter_2 = (_e58 + 1i);
             }
         }
         // glimt_render_gpu/src/kernels/pattern.rs:236
@@ -1450,7 +1462,7 @@ fn held(index_14: u32, triangle_5: Triangle, ray_7: Ray, t_1: f32, no_catcher: b
 // glimt_render_gpu/src/kernels/bvh.rs:187
 fn visit_leaf(first_2: u32, ray_8: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
-    var counter_1: u32;
+    var counter_3: u32;
     var t_2: f32;
     var both_1: bool;
 
@@ -1458,9 +1470,9 @@ fn visit_leaf(first_2: u32, ray_8: Ray, reach_1: ptr<function, f32>, best: u32, 
     nearest = best;
     // glimt_render_gpu/src/kernels/bvh.rs:197
     let _e12 = scene_triangles[first_2].run;
-    counter_1 = first_2;
+    counter_3 = first_2;
     loop {
-        let i = counter_1;
+        let i = counter_3;
         if (i >= (first_2 + _e12)) {
             break;
         }
@@ -1497,8 +1509,8 @@ fn visit_leaf(first_2: u32, ray_8: Ray, reach_1: ptr<function, f32>, best: u32, 
             nearest = i;
         }
         continuing {
-            let _e49 = counter_1;
-            counter_1 = (_e49 + 1u);
+            let _e49 = counter_3;
+            counter_3 = (_e49 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/bvh.rs:208
@@ -1516,7 +1528,7 @@ fn traverse(ray_9: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var node_2: BvhNode;
     var met: Met;
     var distance_: f32;
-    var counter_2: u32;
+    var counter_4: u32;
     var waiting: u32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:133
@@ -1551,9 +1563,9 @@ fn traverse(ray_9: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:146
             distance_ = 0x1.fffffep+127f;
             // glimt_render_gpu/src/kernels/bvh.rs:148
-            counter_2 = 0u;
+            counter_4 = 0u;
             loop {
-                let i_1 = counter_2;
+                let i_1 = counter_4;
                 if (i_1 >= 4u) {
                     break;
                 }
@@ -1596,8 +1608,8 @@ fn traverse(ray_9: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
                     }
                 }
                 continuing {
-                    let _e94 = counter_2;
-                    counter_2 = (_e94 + 1u);
+                    let _e94 = counter_4;
+                    counter_4 = (_e94 + 1u);
                 }
             }
         } else {
@@ -2008,50 +2020,50 @@ fn Triangle_object_index(this_26: Triangle) -> u32 {
     return (this_26.object & 536870911u);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:124
+// glimt_render_gpu/src/kernels/seen.rs:125
 fn see_by(pattern_1: PixelPattern, frame_3: FrameParams) -> SeenPoint {
     var chosen_11: u32;
     var chosen_12: vec3<f32>;
 
-    // glimt_render_gpu/src/kernels/seen.rs:125
-    let _e4 = FrameParams_camera_ray(frame_3, pattern_1);
     // glimt_render_gpu/src/kernels/seen.rs:126
+    let _e4 = FrameParams_camera_ray(frame_3, pattern_1);
+    // glimt_render_gpu/src/kernels/seen.rs:127
     let _e6 = Scene_closest_hit(_e4);
     if !(_e6.is_some) {
-        // glimt_render_gpu/src/kernels/seen.rs:127
-        return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u);
+        // glimt_render_gpu/src/kernels/seen.rs:128
+        return SeenPoint(vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0u, vec3(0f), 0f);
     }
     let hit_1 = _e6.value;
-    // glimt_render_gpu/src/kernels/seen.rs:129
-    let _e34 = Scene_shading_point(_e4, hit_1);
     // glimt_render_gpu/src/kernels/seen.rs:130
-    let triangle_8 = scene_triangles[hit_1.triangle];
+    let _e34 = Scene_shading_point(_e4, hit_1);
     // glimt_render_gpu/src/kernels/seen.rs:131
-    let _e41 = Triangle_is_catcher(triangle_8);
+    let triangle_8 = scene_triangles[hit_1.triangle];
     // glimt_render_gpu/src/kernels/seen.rs:132
+    let _e41 = Triangle_is_catcher(triangle_8);
+    // glimt_render_gpu/src/kernels/seen.rs:133
     let _e44 = Triangle_object_index(triangle_8);
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:136
+        // glimt_render_gpu/src/kernels/seen.rs:137
         chosen_11 = 2u;
     } else {
         chosen_11 = 0u;
     }
     let _e52 = chosen_11;
     if _e41 {
-        // glimt_render_gpu/src/kernels/seen.rs:146
+        // glimt_render_gpu/src/kernels/seen.rs:147
         chosen_12 = vec3(0f);
     } else {
-        // glimt_render_gpu/src/kernels/seen.rs:148
+        // glimt_render_gpu/src/kernels/seen.rs:149
         chosen_12 = _e34.emission;
     }
     let _e72 = chosen_12;
-    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_8.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0u);
+    return SeenPoint(_e34.origin, (_e44 + 1u), _e34.geometric_normal, _e52, _e34.frame.n, _e34.brdf.exponent, -(_e4.direction), triangle_8.material, _e34.brdf.diffuse, 0u, _e34.brdf.specular, 0u, _e72, 0f);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:77
+// glimt_render_gpu/src/kernels/seen.rs:78
 fn SeenPoint_is_hit(this_27: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:78
+    // glimt_render_gpu/src/kernels/seen.rs:79
     return (this_27.surface != 0u);
 }
 
@@ -2066,16 +2078,16 @@ fn luminance(rgb: vec3<f32>) -> f32 {
 fn enter(point: SeenPoint, off_centre: f32, entries_start: u32, entries_len: u32) {
     var at_1: u32;
     var is_found: bool;
-    var counter_3: u32;
+    var counter_5: u32;
 
     // glimt_render_gpu/src/kernels/scout.rs:91
     at_1 = (3u - 1u);
     // glimt_render_gpu/src/kernels/scout.rs:92
     is_found = false;
     // glimt_render_gpu/src/kernels/scout.rs:93
-    counter_3 = 0u;
+    counter_5 = 0u;
     loop {
-        let i_2 = counter_3;
+        let i_2 = counter_5;
         if (i_2 >= 3u) {
             break;
         }
@@ -2090,8 +2102,8 @@ fn enter(point: SeenPoint, off_centre: f32, entries_start: u32, entries_len: u32
             is_found = true;
         }
         continuing {
-            let _e36 = counter_3;
-            counter_3 = (_e36 + 1u);
+            let _e36 = counter_5;
+            counter_5 = (_e36 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/scout.rs:100
@@ -2116,22 +2128,22 @@ fn enter(point: SeenPoint, off_centre: f32, entries_start: u32, entries_len: u32
 
 // glimt_render_gpu/src/kernels/scout.rs:64
 fn scout_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, entries_start_1: u32, entries_len_1: u32) {
-    var counter_4: u32;
-    var counter_5: u32;
     var counter_6: u32;
+    var counter_7: u32;
+    var counter_8: u32;
 
     // glimt_render_gpu/src/kernels/scout.rs:71
-    counter_4 = 0u;
+    counter_6 = 0u;
     loop {
-        let i_3 = counter_4;
+        let i_3 = counter_6;
         if (i_3 >= 3u) {
             break;
         }
         // glimt_render_gpu/src/kernels/scout.rs:72
         entries[(entries_start_1 + i_3)] = TileEntry(vec3(0f), 0u, vec3(0f), 0f, 0f, 0f, 0u, 0f, 0u, 0u, 0u, 0u);
         continuing {
-            let _e31 = counter_4;
-            counter_4 = (_e31 + 1u);
+            let _e31 = counter_6;
+            counter_6 = (_e31 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/scout.rs:74
@@ -2139,16 +2151,16 @@ fn scout_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, entries_start_1
     // glimt_render_gpu/src/kernels/scout.rs:75
     let _e37 = tile_end(_e35, frame_4);
     // glimt_render_gpu/src/kernels/scout.rs:76
-    counter_5 = _e35.y;
+    counter_7 = _e35.y;
     loop {
-        let y_5 = counter_5;
+        let y_5 = counter_7;
         if (y_5 >= _e37.y) {
             break;
         }
         // glimt_render_gpu/src/kernels/scout.rs:77
-        counter_6 = _e35.x;
+        counter_8 = _e35.x;
         loop {
-            let x_11 = counter_6;
+            let x_11 = counter_8;
             if (x_11 >= _e37.x) {
                 break;
             }
@@ -2166,13 +2178,13 @@ fn scout_1(tile_1: u32, frame_4: FrameParams, cells: CellParams, entries_start_1
                 enter(_e56, ((across_2 * across_2) + (down * down)), entries_start_1, entries_len_1);
             }
             continuing {
-                let _e85 = counter_6;
-                counter_6 = (_e85 + 1u);
+                let _e85 = counter_8;
+                counter_8 = (_e85 + 1u);
             }
         }
         continuing {
-            let _e88 = counter_5;
-            counter_5 = (_e88 + 1u);
+            let _e88 = counter_7;
+            counter_7 = (_e88 + 1u);
         }
     }
     return;

@@ -32,9 +32,9 @@ struct SeenPoint {
     diffuse: vec3<f32>,
     order: u32,
     specular: vec3<f32>,
-    unused_a: u32,
+    shadow_rays: u32,
     emission: vec3<f32>,
-    unused_b: u32,
+    residual: f32,
 }
 
 struct LayerSample {
@@ -452,10 +452,10 @@ fn FrameParams_pattern_of(this_2: FrameParams, ray_1: u32) -> PixelPattern {
     return _e10;
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:77
+// glimt_render_gpu/src/kernels/seen.rs:78
 fn SeenPoint_is_hit(this_3: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:78
+    // glimt_render_gpu/src/kernels/seen.rs:79
     return (this_3.surface != 0u);
 }
 
@@ -720,10 +720,10 @@ fn Group_representative(this_5: Group, points_start_2: u32, points_len_2: u32, e
     return Representative(_e134, _e135, _e136, (_e137 * share_1), _e141, _e131);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:91
+// glimt_render_gpu/src/kernels/seen.rs:92
 fn SeenPoint_slot(this_6: SeenPoint) -> u32 {
 
-    // glimt_render_gpu/src/kernels/seen.rs:92
+    // glimt_render_gpu/src/kernels/seen.rs:93
     return (this_6.flags >> 2u);
 }
 
@@ -734,10 +734,10 @@ fn Expected_at_slot(first_1: u32, slot: u32, slot_1: u32) -> Returned_Expected_a
     return Returned_Expected_at_slot(first_1, slot_1);
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:84
+// glimt_render_gpu/src/kernels/seen.rs:85
 fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
 
-    // glimt_render_gpu/src/kernels/seen.rs:85
+    // glimt_render_gpu/src/kernels/seen.rs:86
     return ((this_7.flags & 2u) != 0u);
 }
 
@@ -1370,10 +1370,10 @@ fn hash3_(a_2: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_sampling/src/sobol.rs:171
+// glimt_sampling/src/sobol.rs:172
 fn OwenSobol_new(seed: u32, frame_2: u32, pixel_2: u32, sample_index: u32) -> OwenSobol {
 
-    // glimt_sampling/src/sobol.rs:172
+    // glimt_sampling/src/sobol.rs:173
     let _e6 = hash3_(seed, frame_2, pixel_2);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
@@ -1538,10 +1538,10 @@ fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
     return (_e25 ^ (_e26 * 1403136100u));
 }
 
-// glimt_sampling/src/sobol.rs:103
+// glimt_sampling/src/sobol.rs:104
 fn shuffle(index_3: u32, seed_2: u32) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:104
+    // glimt_sampling/src/sobol.rs:105
     let _e7 = hash_u32_((seed_2 ^ 2043055690u));
     let _e8 = owen_scramble_reversed(reverseBits(index_3), _e7);
     return reverseBits(_e8);
@@ -1577,6 +1577,7 @@ fn recurrence_2_(index_5: u32) -> u32 {
     var v0_: u32;
     var v1_: u32;
     var sum_1: u32;
+    var counter_7: i32;
 
     // glimt_sampling/src/sobol.rs:67
     bits = index_5;
@@ -1586,85 +1587,96 @@ fn recurrence_2_(index_5: u32) -> u32 {
     v1_ = 3u;
     // glimt_sampling/src/sobol.rs:70
     sum_1 = 0u;
-    // glimt_sampling/src/sobol.rs:71
+    // glimt_sampling/src/sobol.rs:72
+    counter_7 = 0i;
     loop {
-        let _e14 = bits;
-        if !((_e14 != 0u)) {
+        let _e17 = counter_7;
+        if (_e17 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:72
-        let _e19 = v0_;
-        let _e20 = bits;
-        let _e26 = sum_1;
-        sum_1 = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
         // glimt_sampling/src/sobol.rs:73
-        let _e29 = v1_;
-        let _e30 = v0_;
-        let _e32 = v0_;
-        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        let _e20 = v0_;
+        let _e21 = bits;
+        let _e27 = sum_1;
+        sum_1 = (_e27 ^ (_e20 & (0u - (_e21 & 1u))));
         // glimt_sampling/src/sobol.rs:74
-        let _e37 = v1_;
-        v0_ = _e37;
+        let _e30 = v1_;
+        let _e31 = v0_;
+        let _e33 = v0_;
+        let v2_1 = ((_e30 ^ _e31) ^ (_e33 << 2u));
         // glimt_sampling/src/sobol.rs:75
-        v1_ = v2_1;
+        let _e38 = v1_;
+        v0_ = _e38;
         // glimt_sampling/src/sobol.rs:76
-        let _e40 = bits;
-        bits = (_e40 >> 1u);
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:77
+        let _e41 = bits;
+        bits = (_e41 >> 1u);
+        continuing {
+            let _e44 = counter_7;
+            counter_7 = (_e44 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:78
-    let _e44 = sum_1;
-    return _e44;
+    // glimt_sampling/src/sobol.rs:79
+    let _e48 = sum_1;
+    return _e48;
 }
 
-// glimt_sampling/src/sobol.rs:83
+// glimt_sampling/src/sobol.rs:84
 fn recurrence_3_(index_6: u32) -> u32 {
     var bits_1: u32;
     var v0_1: u32;
     var v1_1: u32;
     var v2_: u32;
     var sum_2: u32;
+    var counter_8: i32;
 
-    // glimt_sampling/src/sobol.rs:84
-    bits_1 = index_6;
     // glimt_sampling/src/sobol.rs:85
-    v0_1 = 1u;
+    bits_1 = index_6;
     // glimt_sampling/src/sobol.rs:86
-    v1_1 = 3u;
+    v0_1 = 1u;
     // glimt_sampling/src/sobol.rs:87
-    v2_ = 4u;
+    v1_1 = 3u;
     // glimt_sampling/src/sobol.rs:88
-    sum_2 = 0u;
+    v2_ = 4u;
     // glimt_sampling/src/sobol.rs:89
+    sum_2 = 0u;
+    // glimt_sampling/src/sobol.rs:90
+    counter_8 = 0i;
     loop {
-        let _e17 = bits_1;
-        if !((_e17 != 0u)) {
+        let _e20 = counter_8;
+        if (_e20 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:90
-        let _e22 = v0_1;
-        let _e23 = bits_1;
-        let _e29 = sum_2;
-        sum_2 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
         // glimt_sampling/src/sobol.rs:91
-        let _e32 = v1_1;
-        let _e33 = v0_1;
-        let _e35 = v0_1;
-        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        let _e23 = v0_1;
+        let _e24 = bits_1;
+        let _e30 = sum_2;
+        sum_2 = (_e30 ^ (_e23 & (0u - (_e24 & 1u))));
         // glimt_sampling/src/sobol.rs:92
-        let _e40 = v1_1;
-        v0_1 = _e40;
+        let _e33 = v1_1;
+        let _e34 = v0_1;
+        let _e36 = v0_1;
+        let v3_ = ((_e33 ^ _e34) ^ (_e36 << 3u));
         // glimt_sampling/src/sobol.rs:93
-        let _e42 = v2_;
-        v1_1 = _e42;
+        let _e41 = v1_1;
+        v0_1 = _e41;
         // glimt_sampling/src/sobol.rs:94
-        v2_ = v3_;
+        let _e43 = v2_;
+        v1_1 = _e43;
         // glimt_sampling/src/sobol.rs:95
-        let _e45 = bits_1;
-        bits_1 = (_e45 >> 1u);
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:96
+        let _e46 = bits_1;
+        bits_1 = (_e46 >> 1u);
+        continuing {
+            let _e49 = counter_8;
+            counter_8 = (_e49 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:97
-    let _e49 = sum_2;
-    return _e49;
+    // glimt_sampling/src/sobol.rs:98
+    let _e53 = sum_2;
+    return _e53;
 }
 
 // glimt_sampling/src/sobol.rs:43
@@ -1699,55 +1711,55 @@ fn sobol_reversed(index_7: u32, dimension: u32) -> u32 {
     return _e23;
 }
 
-// glimt_sampling/src/sobol.rs:109
+// glimt_sampling/src/sobol.rs:110
 fn scramble_1(reversed: u32, dimension_1: u32, seed_3: u32) -> u32 {
     var chosen_3: u32;
 
-    // glimt_sampling/src/sobol.rs:110
+    // glimt_sampling/src/sobol.rs:111
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
-        // glimt_sampling/src/sobol.rs:111
+        // glimt_sampling/src/sobol.rs:112
         chosen_3 = 2435803578u;
     } else {
         if (_e6 == 1u) {
-            // glimt_sampling/src/sobol.rs:112
+            // glimt_sampling/src/sobol.rs:113
             chosen_3 = 391059627u;
         } else {
             if (_e6 == 2u) {
-                // glimt_sampling/src/sobol.rs:113
+                // glimt_sampling/src/sobol.rs:114
                 chosen_3 = 1763603146u;
             } else {
-                // glimt_sampling/src/sobol.rs:114
+                // glimt_sampling/src/sobol.rs:115
                 chosen_3 = 3020734904u;
             }
         }
     }
     let salt = chosen_3;
-    // glimt_sampling/src/sobol.rs:117
-    let _e27 = hash_u32_(((seed_3 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
+    let _e27 = hash_u32_(((seed_3 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:119
     let _e29 = owen_scramble_reversed(reversed, _e27);
     return reverseBits(_e29);
 }
 
-// glimt_sampling/src/sobol.rs:135
+// glimt_sampling/src/sobol.rs:136
 fn owen_sobol(index_8: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:136
+    // glimt_sampling/src/sobol.rs:137
     let _e5 = shuffle(index_8, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
 }
 
-// glimt_sampling/src/sobol.rs:182
+// glimt_sampling/src/sobol.rs:183
 fn OwenSobol_next_u32_(this_15: ptr<function, OwenSobol>) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:183
-    let dimension_3 = (*this_15).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_15).dimension = (dimension_3 + 1u);
+    let dimension_3 = (*this_15).dimension;
     // glimt_sampling/src/sobol.rs:185
+    (*this_15).dimension = (dimension_3 + 1u);
+    // glimt_sampling/src/sobol.rs:186
     let _e11 = (*this_15).index;
     let _e13 = (*this_15).seed;
     let _e16 = hash2_(_e13, (dimension_3 >> 2u));
@@ -1838,21 +1850,21 @@ fn PixelPattern_ray_key(this_20: PixelPattern, purpose_4: u32) -> u32 {
     return _e6;
 }
 
-// glimt_sampling/src/sobol.rs:190
+// glimt_sampling/src/sobol.rs:191
 fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
 
-    // glimt_sampling/src/sobol.rs:191
+    // glimt_sampling/src/sobol.rs:192
     let _e4 = (*this_21).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
-    // glimt_sampling/src/sobol.rs:192
-    (*this_21).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:193
+    (*this_21).dimension = (dimension_4 + 2u);
+    // glimt_sampling/src/sobol.rs:194
     let _e15 = (*this_21).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
-    // glimt_sampling/src/sobol.rs:194
+    // glimt_sampling/src/sobol.rs:195
     let _e21 = (*this_21).index;
     let _e22 = shuffle(_e21, _e18);
-    // glimt_sampling/src/sobol.rs:195
+    // glimt_sampling/src/sobol.rs:196
     let _e24 = sobol_reversed(_e22, dimension_4);
     let _e25 = scramble_1(_e24, dimension_4, _e18);
     let _e28 = sobol_reversed(_e22, (dimension_4 + 1u));
@@ -1906,13 +1918,13 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:162
+// glimt_render_gpu/src/kernels/group_light.rs:164
 fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, threshold_1: f32, group: Group, word_1: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:163
+    // glimt_render_gpu/src/kernels/group_light.rs:165
     let _e6 = unit_f32_(word_1);
     let k_3 = u32((_e6 * f32(group.members)));
-    // glimt_render_gpu/src/kernels/group_light.rs:164
+    // glimt_render_gpu/src/kernels/group_light.rs:166
     let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
     return _e16;
 }
@@ -1937,12 +1949,12 @@ fn ShadingFrame_to_local(this_24: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(dot(v_1, this_24.t), dot(v_1, this_24.b), dot(v_1, this_24.n));
 }
 
-// glimt_render_gpu/src/kernels/seen.rs:98
+// glimt_render_gpu/src/kernels/seen.rs:99
 fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
 
-    // glimt_render_gpu/src/kernels/seen.rs:99
-    let _e4 = ShadingFrame_from_normal(this_25.normal);
     // glimt_render_gpu/src/kernels/seen.rs:100
+    let _e4 = ShadingFrame_from_normal(this_25.normal);
+    // glimt_render_gpu/src/kernels/seen.rs:101
     let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
     return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
 }
@@ -2392,30 +2404,30 @@ fn Proposal_cell(this_32: Proposal, cell: u32, cells_size_6: vec2<u32>, cells_st
     return _e31;
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:191
+// glimt_render_gpu/src/kernels/group_light.rs:193
 fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_2: f32, group_1: Group, proposal: Proposal, expected_first_3: u32, expected_slot_3: u32, index_10: u32, points_start_4: u32, points_len_4: u32) -> Look {
     var proposal_1: Proposal;
 
     proposal_1 = proposal;
-    // glimt_render_gpu/src/kernels/group_light.rs:199
-    let _e18 = PixelPattern_point_triple(pattern_1, 11u, index_10);
-    // glimt_render_gpu/src/kernels/group_light.rs:200
-    let _e21 = unit_vec2_(_e18.xy);
     // glimt_render_gpu/src/kernels/group_light.rs:201
-    let _e24 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_2, group_1, _e18.z, points_start_4, points_len_4);
+    let _e18 = PixelPattern_point_triple(pattern_1, 11u, index_10);
     // glimt_render_gpu/src/kernels/group_light.rs:202
+    let _e21 = unit_vec2_(_e18.xy);
+    // glimt_render_gpu/src/kernels/group_light.rs:203
+    let _e24 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_2, group_1, _e18.z, points_start_4, points_len_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:204
     let _e29 = points[(points_start_4 + _e24)];
     let _e30 = SeenPoint_shading_point(_e29);
-    // glimt_render_gpu/src/kernels/group_light.rs:203
+    // glimt_render_gpu/src/kernels/group_light.rs:205
     let _e32 = lobe_of(_e30);
     let _e35 = BlinnPhong_sample(_e32, _e30.wo, 0u, _e21);
-    // glimt_render_gpu/src/kernels/group_light.rs:204
-    let _e39 = ShadingFrame_to_world(_e30.frame, _e35.wi);
-    // glimt_render_gpu/src/kernels/group_light.rs:205
-    let _e41 = Environment_texel(env_size_2, env_rotation_2, _e39);
     // glimt_render_gpu/src/kernels/group_light.rs:206
-    let _e43 = LightCells_cell_of(cells_size_7, cells_start_7, _e41);
+    let _e39 = ShadingFrame_to_world(_e30.frame, _e35.wi);
     // glimt_render_gpu/src/kernels/group_light.rs:207
+    let _e41 = Environment_texel(env_size_2, env_rotation_2, _e39);
+    // glimt_render_gpu/src/kernels/group_light.rs:208
+    let _e43 = LightCells_cell_of(cells_size_7, cells_start_7, _e41);
+    // glimt_render_gpu/src/kernels/group_light.rs:209
     let _e45 = Environment_to_map(env_size_2, env_rotation_2, _e39);
     let _e46 = proposal_1;
     let _e47 = Proposal_cell(_e46, _e43, cells_size_7, cells_start_7, expected_first_3, expected_slot_3);
@@ -2710,9 +2722,9 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
 fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_first_4: u32, expected_slot_4: u32) -> CellDraw {
     var self_2: Proposal;
     var row_place: Place;
-    var counter_7: u32;
+    var counter_9: u32;
     var quad_place: Place;
-    var counter_8: u32;
+    var counter_10: u32;
     var cell_place: Place;
 
     self_2 = this_35;
@@ -2722,9 +2734,9 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     let _e14 = Place_new((_e10 * _e12));
     row_place = _e14;
     // glimt_render_gpu/src/kernels/proposal.rs:421
-    counter_7 = 0u;
+    counter_9 = 0u;
     loop {
-        let row_7 = counter_7;
+        let row_7 = counter_9;
         if (row_7 >= 16u) {
             break;
         }
@@ -2732,8 +2744,8 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
         let _e25 = self_2.rows[row_7];
         Place_offer((&row_place), row_7, _e25);
         continuing {
-            let _e26 = counter_7;
-            counter_7 = (_e26 + 1u);
+            let _e26 = counter_9;
+            counter_9 = (_e26 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:424
@@ -2747,9 +2759,9 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     let _e41 = Place_new(target_1);
     quad_place = _e41;
     // glimt_render_gpu/src/kernels/proposal.rs:427
-    counter_8 = first_9;
+    counter_10 = first_9;
     loop {
-        let quad_9 = counter_8;
+        let quad_9 = counter_10;
         if (quad_9 >= (first_9 + 8u)) {
             break;
         }
@@ -2757,8 +2769,8 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
         let _e52 = self_2.quads[quad_9];
         Place_offer((&quad_place), quad_9, _e52);
         continuing {
-            let _e53 = counter_8;
-            counter_8 = (_e53 + 1u);
+            let _e53 = counter_10;
+            counter_10 = (_e53 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/proposal.rs:430
@@ -2817,19 +2829,19 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     return CellDraw(_e148, _e146, _e133.texel, cell_6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:168
+// glimt_render_gpu/src/kernels/group_light.rs:170
 fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_3: f32, group_2: Group, proposal_2: Proposal, expected_first_5: u32, expected_slot_5: u32, index_12: u32, points_start_5: u32, points_len_5: u32) -> Look {
     var proposal_3: Proposal;
 
     proposal_3 = proposal_2;
-    // glimt_render_gpu/src/kernels/group_light.rs:176
-    let _e18 = PixelPattern_point_triple(pattern_2, 10u, index_12);
-    // glimt_render_gpu/src/kernels/group_light.rs:177
-    let _e21 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_3, group_2, _e18.z, points_start_5, points_len_5);
     // glimt_render_gpu/src/kernels/group_light.rs:178
+    let _e18 = PixelPattern_point_triple(pattern_2, 10u, index_12);
+    // glimt_render_gpu/src/kernels/group_light.rs:179
+    let _e21 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_3, group_2, _e18.z, points_start_5, points_len_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:180
     let _e23 = proposal_3;
     let _e25 = Proposal_sample_cells(_e23, _e18.xy, cells_size_9, cells_start_9, expected_first_5, expected_slot_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:179
+    // glimt_render_gpu/src/kernels/group_light.rs:181
     let _e29 = rotate_z(_e25.direction, env_rotation_3);
     return Look(_e25.direction, _e29, _e25.texel, _e25.at, _e25.cell, _e21, true);
 }
@@ -3479,7 +3491,7 @@ fn held(index_18: u32, triangle_5: Triangle, ray_8: Ray, t_2: f32, no_catcher: b
 // glimt_render_gpu/src/kernels/bvh.rs:187
 fn visit_leaf(first_7: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
-    var counter_9: u32;
+    var counter_11: u32;
     var t_3: f32;
     var both_2: bool;
 
@@ -3487,9 +3499,9 @@ fn visit_leaf(first_7: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, 
     nearest = best;
     // glimt_render_gpu/src/kernels/bvh.rs:197
     let _e12 = scene_triangles[first_7].run;
-    counter_9 = first_7;
+    counter_11 = first_7;
     loop {
-        let i = counter_9;
+        let i = counter_11;
         if (i >= (first_7 + _e12)) {
             break;
         }
@@ -3526,8 +3538,8 @@ fn visit_leaf(first_7: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, 
             nearest = i;
         }
         continuing {
-            let _e49 = counter_9;
-            counter_9 = (_e49 + 1u);
+            let _e49 = counter_11;
+            counter_11 = (_e49 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/bvh.rs:208
@@ -3545,7 +3557,7 @@ fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var node_2: BvhNode;
     var met: Met;
     var distance_: f32;
-    var counter_10: u32;
+    var counter_12: u32;
     var waiting: u32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:133
@@ -3580,9 +3592,9 @@ fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:146
             distance_ = 0x1.fffffep+127f;
             // glimt_render_gpu/src/kernels/bvh.rs:148
-            counter_10 = 0u;
+            counter_12 = 0u;
             loop {
-                let i_1 = counter_10;
+                let i_1 = counter_12;
                 if (i_1 >= 4u) {
                     break;
                 }
@@ -3625,8 +3637,8 @@ fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
                     }
                 }
                 continuing {
-                    let _e94 = counter_10;
-                    counter_10 = (_e94 + 1u);
+                    let _e94 = counter_12;
+                    counter_12 = (_e94 + 1u);
                 }
             }
         } else {
@@ -3713,143 +3725,143 @@ fn Proposal_open_control(this_49: Proposal, direction_8: vec3<f32>, at_4: CellAt
     return ((kd_2 * cosine_1) + (_e26 * at_4.lobe));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:274
+// glimt_render_gpu/src/kernels/group_light.rs:276
 fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_4: f32, group_3: Group, proposal_4: Proposal, look: Look, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
     var proposal_5: Proposal;
     var diffuse_1: vec3<f32>;
     var lobes: f32;
     var own_diffuse: vec3<f32>;
     var own_lobe: f32;
-    var counter_11: u32;
+    var counter_13: u32;
     var cosines: array<f32, 4>;
     var halves: array<f32, 4>;
     var is_own: array<f32, 4>;
-    var counter_12: u32;
+    var counter_14: u32;
 
     proposal_5 = proposal_4;
-    // glimt_render_gpu/src/kernels/group_light.rs:281
+    // glimt_render_gpu/src/kernels/group_light.rs:283
     if (group_3.members < 2u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:282
+        // glimt_render_gpu/src/kernels/group_light.rs:284
         return vec3(0f);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:284
-    let of_3 = proposal_5.of_;
-    // glimt_render_gpu/src/kernels/group_light.rs:285
-    let spread_1 = of_3.surface.spread;
     // glimt_render_gpu/src/kernels/group_light.rs:286
+    let of_3 = proposal_5.of_;
+    // glimt_render_gpu/src/kernels/group_light.rs:287
+    let spread_1 = of_3.surface.spread;
+    // glimt_render_gpu/src/kernels/group_light.rs:288
     let _e27 = proposal_5.lobe_share;
     let with_lobes = (((of_3.surface.specular > 0f) && !((_e27 > 0f))) && (spread_1 > 0.001f));
-    // glimt_render_gpu/src/kernels/group_light.rs:287
+    // glimt_render_gpu/src/kernels/group_light.rs:289
     if !((with_lobes || (spread_1 > 0.035f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:288
-        let normal_5 = points[(points_start_6 + look.ray)].normal;
-        // glimt_render_gpu/src/kernels/group_light.rs:289
-        let apart_1 = (dot(of_3.mean_normal, look.of_map) - dot(normal_5, look.direction));
         // glimt_render_gpu/src/kernels/group_light.rs:290
+        let normal_5 = points[(points_start_6 + look.ray)].normal;
+        // glimt_render_gpu/src/kernels/group_light.rs:291
+        let apart_1 = (dot(of_3.mean_normal, look.of_map) - dot(normal_5, look.direction));
+        // glimt_render_gpu/src/kernels/group_light.rs:292
         return (of_3.diffuse * (0.31830987f * apart_1));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:292
-    let half_3 = (look.of_map + of_3.surface.wo);
-    // glimt_render_gpu/src/kernels/group_light.rs:293
-    let _e70 = rotate_z((half_3 / vec3(max(length(half_3), 0.000001f))), env_rotation_4);
     // glimt_render_gpu/src/kernels/group_light.rs:294
-    diffuse_1 = vec3(0f);
+    let half_3 = (look.of_map + of_3.surface.wo);
     // glimt_render_gpu/src/kernels/group_light.rs:295
-    lobes = 0f;
+    let _e70 = rotate_z((half_3 / vec3(max(length(half_3), 0.000001f))), env_rotation_4);
     // glimt_render_gpu/src/kernels/group_light.rs:296
-    own_diffuse = vec3(0f);
+    diffuse_1 = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:297
-    own_lobe = 0f;
+    lobes = 0f;
     // glimt_render_gpu/src/kernels/group_light.rs:298
+    own_diffuse = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:299
+    own_lobe = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:300
     let _e89 = (group_3.members / 4u);
-    counter_11 = 0u;
+    counter_13 = 0u;
     loop {
-        let quad_11 = counter_11;
+        let quad_11 = counter_13;
         if (quad_11 >= select(_e89, (_e89 + 1u), ((group_3.members % 4u) != 0u))) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:299
-        cosines = array<f32, 4>(0f, 0f, 0f, 0f);
-        // glimt_render_gpu/src/kernels/group_light.rs:300
-        halves = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:301
-        is_own = array<f32, 4>(0f, 0f, 0f, 0f);
+        cosines = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:302
-        counter_12 = 0u;
+        halves = array<f32, 4>(0f, 0f, 0f, 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:303
+        is_own = array<f32, 4>(0f, 0f, 0f, 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:304
+        counter_14 = 0u;
         loop {
-            let lane_2 = counter_12;
+            let lane_2 = counter_14;
             if (lane_2 >= 4u) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/group_light.rs:303
+            // glimt_render_gpu/src/kernels/group_light.rs:305
             let k_4 = ((4u * quad_11) + lane_2);
-            // glimt_render_gpu/src/kernels/group_light.rs:304
+            // glimt_render_gpu/src/kernels/group_light.rs:306
             if (k_4 < group_3.members) {
-                // glimt_render_gpu/src/kernels/group_light.rs:305
-                let _e125 = Group_ray(group_3, k_4, points_start_6, points_len_6);
-                // glimt_render_gpu/src/kernels/group_light.rs:306
-                let other = points[(points_start_6 + _e125)];
                 // glimt_render_gpu/src/kernels/group_light.rs:307
-                let cosine_2 = max(dot(other.normal, look.direction), 0f);
+                let _e125 = Group_ray(group_3, k_4, points_start_6, points_len_6);
                 // glimt_render_gpu/src/kernels/group_light.rs:308
-                cosines[lane_2] = cosine_2;
+                let other = points[(points_start_6 + _e125)];
                 // glimt_render_gpu/src/kernels/group_light.rs:309
-                halves[lane_2] = max(dot(other.normal, _e70), 0f);
+                let cosine_2 = max(dot(other.normal, look.direction), 0f);
                 // glimt_render_gpu/src/kernels/group_light.rs:310
+                cosines[lane_2] = cosine_2;
+                // glimt_render_gpu/src/kernels/group_light.rs:311
+                halves[lane_2] = max(dot(other.normal, _e70), 0f);
+                // glimt_render_gpu/src/kernels/group_light.rs:312
                 let _e148 = diffuse_1;
                 diffuse_1 = (_e148 + (other.diffuse * cosine_2));
-                // glimt_render_gpu/src/kernels/group_light.rs:311
+                // glimt_render_gpu/src/kernels/group_light.rs:313
                 if (_e125 == look.ray) {
-                    // glimt_render_gpu/src/kernels/group_light.rs:312
+                    // glimt_render_gpu/src/kernels/group_light.rs:314
                     own_diffuse = (other.diffuse * cosine_2);
-                    // glimt_render_gpu/src/kernels/group_light.rs:313
+                    // glimt_render_gpu/src/kernels/group_light.rs:315
                     is_own[lane_2] = 1f;
                 }
             }
             continuing {
-                let _e159 = counter_12;
-                counter_12 = (_e159 + 1u);
+                let _e159 = counter_14;
+                counter_14 = (_e159 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:317
+        // glimt_render_gpu/src/kernels/group_light.rs:319
         if with_lobes {
-            // glimt_render_gpu/src/kernels/group_light.rs:318
+            // glimt_render_gpu/src/kernels/group_light.rs:320
             let _e165 = cosines[0];
             let _e167 = cosines[1];
             let _e169 = cosines[2];
             let _e171 = cosines[3];
             let cosine_3 = vec4<f32>(_e165, _e167, _e169, _e171);
-            // glimt_render_gpu/src/kernels/group_light.rs:319
+            // glimt_render_gpu/src/kernels/group_light.rs:321
             let _e175 = halves[0];
             let _e177 = halves[1];
             let _e179 = halves[2];
             let _e181 = halves[3];
             let half_4 = vec4<f32>(_e175, _e177, _e179, _e181);
-            // glimt_render_gpu/src/kernels/group_light.rs:320
+            // glimt_render_gpu/src/kernels/group_light.rs:322
             let _e185 = is_own[0];
             let _e187 = is_own[1];
             let _e189 = is_own[2];
             let _e191 = is_own[3];
             let own_1 = vec4<f32>(_e185, _e187, _e189, _e191);
-            // glimt_render_gpu/src/kernels/group_light.rs:321
+            // glimt_render_gpu/src/kernels/group_light.rs:323
             let _e200 = cosine_power4_((vec4(1f) - (half_4 * half_4)), vec4(of_3.exponent));
-            // glimt_render_gpu/src/kernels/group_light.rs:322
+            // glimt_render_gpu/src/kernels/group_light.rs:324
             let _e202 = (_e200 * cosine_3);
             let _e210 = lobes;
             lobes = (_e210 + (((_e202.x + _e202.y) + _e202.z) + _e202.w));
-            // glimt_render_gpu/src/kernels/group_light.rs:323
+            // glimt_render_gpu/src/kernels/group_light.rs:325
             let _e214 = ((_e200 * cosine_3) * own_1);
             let _e222 = own_lobe;
             own_lobe = (_e222 + (((_e214.x + _e214.y) + _e214.z) + _e214.w));
         }
         continuing {
-            let _e224 = counter_11;
-            counter_11 = (_e224 + 1u);
+            let _e224 = counter_13;
+            counter_13 = (_e224 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:326
+    // glimt_render_gpu/src/kernels/group_light.rs:328
     let share_2 = (1f / f32(group_3.members));
-    // glimt_render_gpu/src/kernels/group_light.rs:327
+    // glimt_render_gpu/src/kernels/group_light.rs:329
     let _e233 = diffuse_1;
     let _e235 = own_diffuse;
     let _e241 = lobes;
@@ -3857,7 +3869,7 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     return ((((_e233 * share_2) - _e235) * 0.31830987f) + (of_3.specular * (of_3.peak * ((_e241 * share_2) - _e243))));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:220
+// glimt_render_gpu/src/kernels/group_light.rs:222
 fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_5: f32, group_4: Group, proposal_6: Proposal, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
     var proposal_7: Proposal;
     var pdf_sr: f32;
@@ -3866,86 +3878,86 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     var blocked: vec3<f32>;
 
     proposal_7 = proposal_6;
-    // glimt_render_gpu/src/kernels/group_light.rs:228
+    // glimt_render_gpu/src/kernels/group_light.rs:230
     let _e20 = points[(points_start_7 + look_1.ray)];
     let _e21 = SeenPoint_shading_point(_e20);
-    // glimt_render_gpu/src/kernels/group_light.rs:229
-    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
-    // glimt_render_gpu/src/kernels/group_light.rs:230
-    let at_9 = look_1.at;
     // glimt_render_gpu/src/kernels/group_light.rs:231
-    let share_3 = proposal_7.lobe_share;
+    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
     // glimt_render_gpu/src/kernels/group_light.rs:232
-    pdf_sr = 0f;
+    let at_9 = look_1.at;
     // glimt_render_gpu/src/kernels/group_light.rs:233
+    let share_3 = proposal_7.lobe_share;
+    // glimt_render_gpu/src/kernels/group_light.rs:234
+    pdf_sr = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:235
     if (share_3 < 1f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:234
+        // glimt_render_gpu/src/kernels/group_light.rs:236
         let _e38 = proposal_7;
         let _e41 = Proposal_cells_pdf_sr(_e38, look_1.texel, look_1.cell, at_9, cells_size_12, cells_start_12);
-        // glimt_render_gpu/src/kernels/group_light.rs:235
+        // glimt_render_gpu/src/kernels/group_light.rs:237
         pdf_sr = ((1f - share_3) * _e41);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:237
+    // glimt_render_gpu/src/kernels/group_light.rs:239
     if (share_3 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:238
+        // glimt_render_gpu/src/kernels/group_light.rs:240
         let _e50 = lobe_of(_e21);
         let _e52 = BlinnPhong_pdf_sr(_e50, _e21.wo, _e25);
         let _e54 = pdf_sr;
         pdf_sr = (_e54 + (share_3 * _e52));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:240
+    // glimt_render_gpu/src/kernels/group_light.rs:242
     let _e57 = pdf_sr;
     if !((_e57 > 0.000000000000000000000000000000000000011754944f)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:241
+        // glimt_render_gpu/src/kernels/group_light.rs:243
         return Reflected(vec3(0f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:243
-    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
-    // glimt_render_gpu/src/kernels/group_light.rs:244
-    let _e71 = reflectance(_e21, _e25);
     // glimt_render_gpu/src/kernels/group_light.rs:245
-    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
     // glimt_render_gpu/src/kernels/group_light.rs:246
+    let _e71 = reflectance(_e21, _e25);
+    // glimt_render_gpu/src/kernels/group_light.rs:247
+    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:248
     both_3 = is_seen;
     if is_seen {
         let _e89 = Scene_is_lit(_e21, look_1.direction, key_3);
         both_3 = _e89;
     }
     let arrives = both_3;
-    // glimt_render_gpu/src/kernels/group_light.rs:247
-    lit = vec3(0f);
-    // glimt_render_gpu/src/kernels/group_light.rs:248
-    blocked = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:249
+    lit = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:250
+    blocked = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:251
     if arrives {
-        // glimt_render_gpu/src/kernels/group_light.rs:250
+        // glimt_render_gpu/src/kernels/group_light.rs:252
         lit = _e71;
     } else {
         if is_seen {
-            // glimt_render_gpu/src/kernels/group_light.rs:252
+            // glimt_render_gpu/src/kernels/group_light.rs:254
             blocked = _e71;
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:254
+    // glimt_render_gpu/src/kernels/group_light.rs:256
     if true {
-        // glimt_render_gpu/src/kernels/group_light.rs:255
+        // glimt_render_gpu/src/kernels/group_light.rs:257
         let _e105 = proposal_7;
         let _e107 = Proposal_open_control(_e105, look_1.of_map, at_9);
-        // glimt_render_gpu/src/kernels/group_light.rs:256
+        // glimt_render_gpu/src/kernels/group_light.rs:258
         let _e109 = proposal_7;
         let _e110 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_5, group_4, _e109, look_1, points_start_7, points_len_7);
-        // glimt_render_gpu/src/kernels/group_light.rs:257
+        // glimt_render_gpu/src/kernels/group_light.rs:259
         let _e113 = proposal_7.is_catcher;
         if _e113 {
-            // glimt_render_gpu/src/kernels/group_light.rs:258
+            // glimt_render_gpu/src/kernels/group_light.rs:260
             lit = ((_e71 - _e107) + _e110);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:260
+            // glimt_render_gpu/src/kernels/group_light.rs:262
             let _e121 = lit;
             lit = (_e121 + ((_e110 - _e107) * at_9.visibility));
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:264
+    // glimt_render_gpu/src/kernels/group_light.rs:266
     let _e124 = lit;
     let _e125 = pdf_sr;
     let _e129 = blocked;
@@ -3961,7 +3973,7 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
     var chosen_22: f32;
     var lit_1: vec3<f32>;
     var blocked_1: vec3<f32>;
-    var counter_13: u32;
+    var counter_15: u32;
     var chosen_23: Look;
 
     // glimt_render_gpu/src/kernels/group_light.rs:102
@@ -4035,9 +4047,9 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
     // glimt_render_gpu/src/kernels/group_light.rs:126
     blocked_1 = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:127
-    counter_13 = 0u;
+    counter_15 = 0u;
     loop {
-        let s_4 = counter_13;
+        let s_4 = counter_15;
         if (s_4 >= count_2) {
             break;
         }
@@ -4083,33 +4095,39 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
             blocked_1 = (_e178 + _e171.blocked);
         }
         continuing {
-            let _e180 = counter_13;
-            counter_13 = (_e180 + 1u);
+            let _e180 = counter_15;
+            counter_15 = (_e180 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/group_light.rs:144
+    points[(points_start_8 + _e19)].shadow_rays = count_2;
+    // glimt_render_gpu/src/kernels/group_light.rs:145
+    let _e190 = proposal_8.total;
+    let _e192 = proposal_8.lobe_worth;
+    points[(points_start_8 + _e19)].residual = ((_e190 + _e192) * share_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:146
     if (count_2 > 0u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:145
-        let _e187 = lit_1;
-        lit_1 = (_e187 / vec3(divisor));
-        // glimt_render_gpu/src/kernels/group_light.rs:146
-        let _e191 = blocked_1;
-        blocked_1 = (_e191 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:147
+        let _e203 = lit_1;
+        lit_1 = (_e203 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:148
+        let _e207 = blocked_1;
+        blocked_1 = (_e207 / vec3(divisor));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:148
+    // glimt_render_gpu/src/kernels/group_light.rs:150
     if (true && _e31) {
-        // glimt_render_gpu/src/kernels/group_light.rs:150
-        let _e199 = proposal_8.open_integral;
-        let _e200 = lit_1;
-        let _e202 = blocked_1;
-        let _e204 = blocked_1;
-        return Reflected(((_e199 + _e200) - _e202), _e204);
+        // glimt_render_gpu/src/kernels/group_light.rs:152
+        let _e215 = proposal_8.open_integral;
+        let _e216 = lit_1;
+        let _e218 = blocked_1;
+        let _e220 = blocked_1;
+        return Reflected(((_e215 + _e216) - _e218), _e220);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:155
-    let _e208 = proposal_8.integral;
-    let _e209 = lit_1;
-    let _e211 = blocked_1;
-    return Reflected((_e208 + _e209), _e211);
+    // glimt_render_gpu/src/kernels/group_light.rs:157
+    let _e224 = proposal_8.integral;
+    let _e225 = lit_1;
+    let _e227 = blocked_1;
+    return Reflected((_e224 + _e225), _e227);
 }
 
 // glimt_render_gpu/src/kernels/layers.rs:39
@@ -4136,7 +4154,7 @@ fn LayerSample_of_surface(light_1: Reflected, is_catcher_4: bool) -> LayerSample
 fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
     var x_11: u32;
     var round_key: u32;
-    var counter_14: i32;
+    var counter_16: i32;
 
     // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
@@ -4154,9 +4172,9 @@ fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
         // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key_4;
         // glimt_render_gpu/src/kernels/pattern.rs:230
-        counter_14 = 0i;
+        counter_16 = 0i;
         loop {
-            let _e31 = counter_14;
+            let _e31 = counter_16;
             if (_e31 >= 3i) {
                 break;
             }
@@ -4174,8 +4192,8 @@ fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
             let _e56 = x_11;
             x_11 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter_14;
-                counter_14 = (_e58 + 1i);
+                let _e58 = counter_16;
+                counter_16 = (_e58 + 1i);
             }
         }
         // glimt_render_gpu/src/kernels/pattern.rs:236
@@ -4319,8 +4337,8 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
     var filled: u32;
     var number_1: u32;
     var group_6: Group;
-    var counter_15: u32;
-    var counter_16: u32;
+    var counter_17: u32;
+    var counter_18: u32;
 
     // glimt_render_gpu/src/kernels/product.rs:66
     let first_11 = (pixel_5 * frame_4.rays_per_pixel);
@@ -4351,9 +4369,9 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
         let _e47 = GroupLight_reflected(env_size_7, env_rotation_7, _e16.value_size, _e16.value_start, _e19, rays_6, threshold_7, _e45, _e46, expected_first_7, expected_slot_7, points_start_9, points_len_9, (&drawn_1));
         // glimt_render_gpu/src/kernels/product.rs:82
         let _e51 = group_6.members;
-        counter_15 = 0u;
+        counter_17 = 0u;
         loop {
-            let k_5 = counter_15;
+            let k_5 = counter_17;
             if (k_5 >= _e51) {
                 break;
             }
@@ -4369,8 +4387,8 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
             let _e71 = LayerSample_of_surface(own_3, _e70);
             samples_1[(samples_start + _e57)] = _e71;
             continuing {
-                let _e75 = counter_15;
-                counter_15 = (_e75 + 1u);
+                let _e75 = counter_17;
+                counter_17 = (_e75 + 1u);
             }
         }
         // glimt_render_gpu/src/kernels/product.rs:91
@@ -4386,9 +4404,9 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
         group_6 = _e89;
     }
     // glimt_render_gpu/src/kernels/product.rs:95
-    counter_16 = 0u;
+    counter_18 = 0u;
     loop {
-        let ray_13 = counter_16;
+        let ray_13 = counter_18;
         if (ray_13 >= frame_4.rays_per_pixel) {
             break;
         }
@@ -4405,8 +4423,8 @@ fn shade_groups(pixel_5: u32, frame_4: FrameParams, rays_6: f32, threshold_7: f3
             samples_1[(samples_start + ray_13)] = _e111;
         }
         continuing {
-            let _e115 = counter_16;
-            counter_16 = (_e115 + 1u);
+            let _e115 = counter_18;
+            counter_18 = (_e115 + 1u);
         }
     }
     return;

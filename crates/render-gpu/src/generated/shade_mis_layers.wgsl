@@ -331,10 +331,10 @@ fn hash3_(a_1: u32, b_1: u32, c: u32) -> u32 {
     return _e7;
 }
 
-// glimt_sampling/src/sobol.rs:171
+// glimt_sampling/src/sobol.rs:172
 fn OwenSobol_new(seed: u32, frame: u32, pixel_1: u32, sample_index: u32) -> OwenSobol {
 
-    // glimt_sampling/src/sobol.rs:172
+    // glimt_sampling/src/sobol.rs:173
     let _e6 = hash3_(seed, frame, pixel_1);
     let _e9 = hash2_(_e6, (sample_index >> 16u));
     return OwenSobol(_e9, (sample_index & 65535u), 0u);
@@ -371,10 +371,10 @@ fn owen_scramble_reversed(n_1: u32, scramble: u32) -> u32 {
     return (_e25 ^ (_e26 * 1403136100u));
 }
 
-// glimt_sampling/src/sobol.rs:103
+// glimt_sampling/src/sobol.rs:104
 fn shuffle(index_1: u32, seed_1: u32) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:104
+    // glimt_sampling/src/sobol.rs:105
     let _e7 = hash_u32_((seed_1 ^ 2043055690u));
     let _e8 = owen_scramble_reversed(reverseBits(index_1), _e7);
     return reverseBits(_e8);
@@ -410,6 +410,7 @@ fn recurrence_2_(index_3: u32) -> u32 {
     var v0_: u32;
     var v1_: u32;
     var sum: u32;
+    var counter: i32;
 
     // glimt_sampling/src/sobol.rs:67
     bits = index_3;
@@ -419,85 +420,96 @@ fn recurrence_2_(index_3: u32) -> u32 {
     v1_ = 3u;
     // glimt_sampling/src/sobol.rs:70
     sum = 0u;
-    // glimt_sampling/src/sobol.rs:71
+    // glimt_sampling/src/sobol.rs:72
+    counter = 0i;
     loop {
-        let _e14 = bits;
-        if !((_e14 != 0u)) {
+        let _e17 = counter;
+        if (_e17 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:72
-        let _e19 = v0_;
-        let _e20 = bits;
-        let _e26 = sum;
-        sum = (_e26 ^ (_e19 & (0u - (_e20 & 1u))));
         // glimt_sampling/src/sobol.rs:73
-        let _e29 = v1_;
-        let _e30 = v0_;
-        let _e32 = v0_;
-        let v2_1 = ((_e29 ^ _e30) ^ (_e32 << 2u));
+        let _e20 = v0_;
+        let _e21 = bits;
+        let _e27 = sum;
+        sum = (_e27 ^ (_e20 & (0u - (_e21 & 1u))));
         // glimt_sampling/src/sobol.rs:74
-        let _e37 = v1_;
-        v0_ = _e37;
+        let _e30 = v1_;
+        let _e31 = v0_;
+        let _e33 = v0_;
+        let v2_1 = ((_e30 ^ _e31) ^ (_e33 << 2u));
         // glimt_sampling/src/sobol.rs:75
-        v1_ = v2_1;
+        let _e38 = v1_;
+        v0_ = _e38;
         // glimt_sampling/src/sobol.rs:76
-        let _e40 = bits;
-        bits = (_e40 >> 1u);
+        v1_ = v2_1;
+        // glimt_sampling/src/sobol.rs:77
+        let _e41 = bits;
+        bits = (_e41 >> 1u);
+        continuing {
+            let _e44 = counter;
+            counter = (_e44 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:78
-    let _e44 = sum;
-    return _e44;
+    // glimt_sampling/src/sobol.rs:79
+    let _e48 = sum;
+    return _e48;
 }
 
-// glimt_sampling/src/sobol.rs:83
+// glimt_sampling/src/sobol.rs:84
 fn recurrence_3_(index_4: u32) -> u32 {
     var bits_1: u32;
     var v0_1: u32;
     var v1_1: u32;
     var v2_: u32;
     var sum_1: u32;
+    var counter_1: i32;
 
-    // glimt_sampling/src/sobol.rs:84
-    bits_1 = index_4;
     // glimt_sampling/src/sobol.rs:85
-    v0_1 = 1u;
+    bits_1 = index_4;
     // glimt_sampling/src/sobol.rs:86
-    v1_1 = 3u;
+    v0_1 = 1u;
     // glimt_sampling/src/sobol.rs:87
-    v2_ = 4u;
+    v1_1 = 3u;
     // glimt_sampling/src/sobol.rs:88
-    sum_1 = 0u;
+    v2_ = 4u;
     // glimt_sampling/src/sobol.rs:89
+    sum_1 = 0u;
+    // glimt_sampling/src/sobol.rs:90
+    counter_1 = 0i;
     loop {
-        let _e17 = bits_1;
-        if !((_e17 != 0u)) {
+        let _e20 = counter_1;
+        if (_e20 >= 16i) {
             break;
         }
-        // glimt_sampling/src/sobol.rs:90
-        let _e22 = v0_1;
-        let _e23 = bits_1;
-        let _e29 = sum_1;
-        sum_1 = (_e29 ^ (_e22 & (0u - (_e23 & 1u))));
         // glimt_sampling/src/sobol.rs:91
-        let _e32 = v1_1;
-        let _e33 = v0_1;
-        let _e35 = v0_1;
-        let v3_ = ((_e32 ^ _e33) ^ (_e35 << 3u));
+        let _e23 = v0_1;
+        let _e24 = bits_1;
+        let _e30 = sum_1;
+        sum_1 = (_e30 ^ (_e23 & (0u - (_e24 & 1u))));
         // glimt_sampling/src/sobol.rs:92
-        let _e40 = v1_1;
-        v0_1 = _e40;
+        let _e33 = v1_1;
+        let _e34 = v0_1;
+        let _e36 = v0_1;
+        let v3_ = ((_e33 ^ _e34) ^ (_e36 << 3u));
         // glimt_sampling/src/sobol.rs:93
-        let _e42 = v2_;
-        v1_1 = _e42;
+        let _e41 = v1_1;
+        v0_1 = _e41;
         // glimt_sampling/src/sobol.rs:94
-        v2_ = v3_;
+        let _e43 = v2_;
+        v1_1 = _e43;
         // glimt_sampling/src/sobol.rs:95
-        let _e45 = bits_1;
-        bits_1 = (_e45 >> 1u);
+        v2_ = v3_;
+        // glimt_sampling/src/sobol.rs:96
+        let _e46 = bits_1;
+        bits_1 = (_e46 >> 1u);
+        continuing {
+            let _e49 = counter_1;
+            counter_1 = (_e49 + 1i);
+        }
     }
-    // glimt_sampling/src/sobol.rs:97
-    let _e49 = sum_1;
-    return _e49;
+    // glimt_sampling/src/sobol.rs:98
+    let _e53 = sum_1;
+    return _e53;
 }
 
 // glimt_sampling/src/sobol.rs:43
@@ -532,52 +544,52 @@ fn sobol_reversed(index_5: u32, dimension: u32) -> u32 {
     return _e23;
 }
 
-// glimt_sampling/src/sobol.rs:109
+// glimt_sampling/src/sobol.rs:110
 fn scramble_1(reversed: u32, dimension_1: u32, seed_2: u32) -> u32 {
     var chosen_1: u32;
 
-    // glimt_sampling/src/sobol.rs:110
+    // glimt_sampling/src/sobol.rs:111
     let _e6 = (dimension_1 & 3u);
     if (_e6 == 0u) {
-        // glimt_sampling/src/sobol.rs:111
+        // glimt_sampling/src/sobol.rs:112
         chosen_1 = 2435803578u;
     } else {
         if (_e6 == 1u) {
-            // glimt_sampling/src/sobol.rs:112
+            // glimt_sampling/src/sobol.rs:113
             chosen_1 = 391059627u;
         } else {
             if (_e6 == 2u) {
-                // glimt_sampling/src/sobol.rs:113
+                // glimt_sampling/src/sobol.rs:114
                 chosen_1 = 1763603146u;
             } else {
-                // glimt_sampling/src/sobol.rs:114
+                // glimt_sampling/src/sobol.rs:115
                 chosen_1 = 3020734904u;
             }
         }
     }
     let salt = chosen_1;
-    // glimt_sampling/src/sobol.rs:117
-    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
     // glimt_sampling/src/sobol.rs:118
+    let _e27 = hash_u32_(((seed_2 * 2626628923u) ^ salt));
+    // glimt_sampling/src/sobol.rs:119
     let _e29 = owen_scramble_reversed(reversed, _e27);
     return reverseBits(_e29);
 }
 
-// glimt_sampling/src/sobol.rs:190
+// glimt_sampling/src/sobol.rs:191
 fn OwenSobol_next_uvec2_(this_3: ptr<function, OwenSobol>) -> vec2<u32> {
 
-    // glimt_sampling/src/sobol.rs:191
+    // glimt_sampling/src/sobol.rs:192
     let _e4 = (*this_3).dimension;
     let dimension_3 = ((_e4 + 1u) & 4294967294u);
-    // glimt_sampling/src/sobol.rs:192
-    (*this_3).dimension = (dimension_3 + 2u);
     // glimt_sampling/src/sobol.rs:193
+    (*this_3).dimension = (dimension_3 + 2u);
+    // glimt_sampling/src/sobol.rs:194
     let _e15 = (*this_3).seed;
     let _e18 = hash2_(_e15, (dimension_3 >> 2u));
-    // glimt_sampling/src/sobol.rs:194
+    // glimt_sampling/src/sobol.rs:195
     let _e21 = (*this_3).index;
     let _e22 = shuffle(_e21, _e18);
-    // glimt_sampling/src/sobol.rs:195
+    // glimt_sampling/src/sobol.rs:196
     let _e24 = sobol_reversed(_e22, dimension_3);
     let _e25 = scramble_1(_e24, dimension_3, _e18);
     let _e28 = sobol_reversed(_e22, (dimension_3 + 1u));
@@ -746,7 +758,7 @@ fn PixelPattern_key(this_7: PixelPattern, purpose_2: u32) -> u32 {
 fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
     var x_4: u32;
     var round_key: u32;
-    var counter: i32;
+    var counter_2: i32;
 
     // glimt_render_gpu/src/kernels/pattern.rs:222
     if (length_ <= 1u) {
@@ -764,9 +776,9 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
         // glimt_render_gpu/src/kernels/pattern.rs:229
         round_key = key;
         // glimt_render_gpu/src/kernels/pattern.rs:230
-        counter = 0i;
+        counter_2 = 0i;
         loop {
-            let _e31 = counter;
+            let _e31 = counter_2;
             if (_e31 >= 3i) {
                 break;
             }
@@ -784,8 +796,8 @@ fn permute(index_7: u32, length_: u32, key: u32) -> u32 {
             let _e56 = x_4;
             x_4 = (_e56 ^ (_e44 >> (select(_e46, (_e46 + 1u), ((bits_2 % 2u) != 0u)) & 31u)));
             continuing {
-                let _e58 = counter;
-                counter = (_e58 + 1i);
+                let _e58 = counter_2;
+                counter_2 = (_e58 + 1i);
             }
         }
         // glimt_render_gpu/src/kernels/pattern.rs:236
@@ -1472,7 +1484,7 @@ fn held(index_14: u32, triangle_5: Triangle, ray_8: Ray, t_1: f32, no_catcher: b
 // glimt_render_gpu/src/kernels/bvh.rs:187
 fn visit_leaf(first_2: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, no_catcher_1: bool) -> u32 {
     var nearest: u32;
-    var counter_1: u32;
+    var counter_3: u32;
     var t_2: f32;
     var both_1: bool;
 
@@ -1480,9 +1492,9 @@ fn visit_leaf(first_2: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, 
     nearest = best;
     // glimt_render_gpu/src/kernels/bvh.rs:197
     let _e12 = scene_triangles[first_2].run;
-    counter_1 = first_2;
+    counter_3 = first_2;
     loop {
-        let i = counter_1;
+        let i = counter_3;
         if (i >= (first_2 + _e12)) {
             break;
         }
@@ -1519,8 +1531,8 @@ fn visit_leaf(first_2: u32, ray_9: Ray, reach_1: ptr<function, f32>, best: u32, 
             nearest = i;
         }
         continuing {
-            let _e49 = counter_1;
-            counter_1 = (_e49 + 1u);
+            let _e49 = counter_3;
+            counter_3 = (_e49 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/bvh.rs:208
@@ -1538,7 +1550,7 @@ fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
     var node_2: BvhNode;
     var met: Met;
     var distance_: f32;
-    var counter_2: u32;
+    var counter_4: u32;
     var waiting: u32;
 
     // glimt_render_gpu/src/kernels/bvh.rs:133
@@ -1573,9 +1585,9 @@ fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
             // glimt_render_gpu/src/kernels/bvh.rs:146
             distance_ = 0x1.fffffep+127f;
             // glimt_render_gpu/src/kernels/bvh.rs:148
-            counter_2 = 0u;
+            counter_4 = 0u;
             loop {
-                let i_1 = counter_2;
+                let i_1 = counter_4;
                 if (i_1 >= 4u) {
                     break;
                 }
@@ -1618,8 +1630,8 @@ fn traverse(ray_10: Ray, reach_2: ptr<function, f32>, any_: bool) -> u32 {
                     }
                 }
                 continuing {
-                    let _e94 = counter_2;
-                    counter_2 = (_e94 + 1u);
+                    let _e94 = counter_4;
+                    counter_4 = (_e94 + 1u);
                 }
             }
         } else {
@@ -2023,24 +2035,24 @@ fn Scene_shading_point(ray_13: Ray, hit: Hit) -> ShadingPoint {
     return ShadingPoint(((_e145 + edges) + (geometric_normal_1 * _e147)), geometric_normal_1, _e133, _e150, _e152, _e154);
 }
 
-// glimt_sampling/src/sobol.rs:135
+// glimt_sampling/src/sobol.rs:136
 fn owen_sobol(index_15: u32, dimension_2: u32, seed_4: u32) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:136
+    // glimt_sampling/src/sobol.rs:137
     let _e5 = shuffle(index_15, seed_4);
     let _e6 = sobol_reversed(_e5, dimension_2);
     let _e7 = scramble_1(_e6, dimension_2, seed_4);
     return _e7;
 }
 
-// glimt_sampling/src/sobol.rs:182
+// glimt_sampling/src/sobol.rs:183
 fn OwenSobol_next_u32_(this_26: ptr<function, OwenSobol>) -> u32 {
 
-    // glimt_sampling/src/sobol.rs:183
-    let dimension_4 = (*this_26).dimension;
     // glimt_sampling/src/sobol.rs:184
-    (*this_26).dimension = (dimension_4 + 1u);
+    let dimension_4 = (*this_26).dimension;
     // glimt_sampling/src/sobol.rs:185
+    (*this_26).dimension = (dimension_4 + 1u);
+    // glimt_sampling/src/sobol.rs:186
     let _e11 = (*this_26).index;
     let _e13 = (*this_26).seed;
     let _e16 = hash2_(_e13, (dimension_4 >> 2u));
@@ -2973,17 +2985,17 @@ fn Mis_env_sample(this_40: Mis, sample_3: u32, point_5: ShadingPoint, pattern_2:
 // glimt_render_gpu/src/kernels/mis.rs:85
 fn Mis_reflected(this_41: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, env_size_2: vec2<u32>, env_rotation_2: vec2<f32>) -> Reflected {
     var sum_2: Reflected;
-    var counter_3: u32;
-    var counter_4: u32;
+    var counter_5: u32;
+    var counter_6: u32;
 
     // glimt_render_gpu/src/kernels/mis.rs:92
     let _e8 = PixelPattern_ray_key(pattern_3, 9u);
     // glimt_render_gpu/src/kernels/mis.rs:93
     sum_2 = Reflected(vec3(0f), vec3(0f));
     // glimt_render_gpu/src/kernels/mis.rs:94
-    counter_3 = 0u;
+    counter_5 = 0u;
     loop {
-        let i_2 = counter_3;
+        let i_2 = counter_5;
         if (i_2 >= this_41.brdf_samples) {
             break;
         }
@@ -2993,14 +3005,14 @@ fn Mis_reflected(this_41: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
         let _e26 = LightSample_traced(_e23, point_6, (_e8 + i_2));
         Reflected_gather((&sum_2), _e26);
         continuing {
-            let _e27 = counter_3;
-            counter_3 = (_e27 + 1u);
+            let _e27 = counter_5;
+            counter_5 = (_e27 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/mis.rs:98
-    counter_4 = 0u;
+    counter_6 = 0u;
     loop {
-        let i_3 = counter_4;
+        let i_3 = counter_6;
         if (i_3 >= this_41.env_samples) {
             break;
         }
@@ -3010,8 +3022,8 @@ fn Mis_reflected(this_41: Mis, point_6: ShadingPoint, pattern_3: PixelPattern, e
         let _e42 = LightSample_traced(_e37, point_6, (_e8 + (this_41.brdf_samples + i_3)));
         Reflected_gather((&sum_2), _e42);
         continuing {
-            let _e43 = counter_4;
-            counter_4 = (_e43 + 1u);
+            let _e43 = counter_6;
+            counter_6 = (_e43 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/mis.rs:102

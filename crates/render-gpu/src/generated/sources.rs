@@ -20,6 +20,7 @@ pub(crate) const FILES: &[(&str, &str)] = &[
     ("kernels/expect.rs", include_str!("../kernels/expect.rs")),
     ("kernels/film.rs", include_str!("../kernels/film.rs")),
     ("kernels/frame.rs", include_str!("../kernels/frame.rs")),
+    ("kernels/group_health.rs", include_str!("../kernels/group_health.rs")),
     ("kernels/group_light.rs", include_str!("../kernels/group_light.rs")),
     ("kernels/groups.rs", include_str!("../kernels/groups.rs")),
     ("kernels/layers.rs", include_str!("../kernels/layers.rs")),

@@ -14,6 +14,7 @@ use crate::film::{Pixels, Samples};
 use crate::generated::entries::{RECONSTRUCT, SHADE_MIS, TONEMAP};
 use crate::kernels::composite::PlatePixel;
 use crate::kernels::frame::FrameParams;
+use crate::kernels::group_health::GroupHealth;
 use crate::kernels::layers::{LayerSample, PixelLayers};
 use crate::kernels::smc::SmcHealth;
 use crate::methods::smc::{Own, TILE_GRANULE};
@@ -21,7 +22,9 @@ use crate::methods::{Inputs, Kept, Method, MethodMemory, Points, Work};
 use crate::prepare::env::PreparedEnv;
 use crate::prepare::past_frame::PastFrame;
 use crate::prepare::plate::Plate;
-use crate::prepare::render::{FrameImage, RenderError, RenderSettings, Renderer, SettingsError};
+use crate::prepare::render::{
+    Diagnostics, FrameImage, RenderError, RenderSettings, Renderer, SettingsError,
+};
 use crate::prepare::scene_build::SceneBuffers;
 
 /// Bytes of a tile's rays: enough to fill any GPU, few enough for any memory.
@@ -65,7 +68,8 @@ struct TileBuffers {
     points: Points<Gpu>,
     pixels: Pixels<Gpu>,
     plate: GpuVec<PlatePixel>,
-    diagnostics: GpuVec<SmcHealth>,
+    particles: GpuVec<SmcHealth>,
+    groups: GpuVec<GroupHealth>,
 }
 
 impl GpuRenderer {
@@ -196,8 +200,20 @@ impl GpuRenderer {
             linear: Vec::with_capacity(pixels as usize),
             display: Vec::with_capacity(pixels as usize),
             layers: settings.layers.then(Vec::new),
-            diagnostics: (settings.diagnostics && method.leads_particles()).then(Vec::new),
+            diagnostics: None,
         };
+        if settings.diagnostics && method.leads_particles() {
+            image.diagnostics = Some(Diagnostics::Particles(Vec::new()));
+        } else if settings.diagnostics && method.takes_groups() {
+            let pilot_rays = match kept {
+                Kept::Cells(counting) => counting.pilot_rays(&*self.context).map_err(device)?,
+                Kept::Nothing | Kept::Smc(_) => 0.0,
+            };
+            image.diagnostics = Some(Diagnostics::Groups {
+                pixels: Vec::new(),
+                pilot_rays,
+            });
+        }
         let fitting = fitting_pixels(&self.context, settings);
         let mut first = 0;
         while first < pixels {
@@ -394,7 +410,8 @@ impl TileBuffers {
             },
             points: Points::new(context, method, rays as usize)?,
             pixels: Pixels::new(context, pixels, layered)?,
-            diagnostics: context.zeroed("diagnostics", pixels as u64)?,
+            particles: context.zeroed("diagnostics", pixels as u64)?,
+            groups: context.zeroed("diagnostics", pixels as u64)?,
             plate: context.zeroed("plate", layered as u64)?,
         })
     }
@@ -452,7 +469,7 @@ impl TileWork<'_> {
                 let work = Work::Smc(reading.tile(&view, count, points, own));
                 method.shade(work, &mut executor, self.inputs, rays, out)?;
                 let mut film = Direct::new(self.context);
-                let out = Gpu::chunks(&mut tile.diagnostics, 0..count as usize, 1);
+                let out = Gpu::chunks(&mut tile.particles, 0..count as usize, 1);
                 following.diagnose(&mut film, frame, own_rays, out, count)?;
                 times.film += film.take_report();
             }
@@ -479,7 +496,7 @@ impl TileWork<'_> {
     /// Copies the tile to the end of the image.
     fn read(
         &self,
-        tile: &TileBuffers,
+        tile: &mut TileBuffers,
         times: &mut FrameTimes,
         image: &mut FrameImage,
     ) -> Result<(), GpuError> {
@@ -491,8 +508,17 @@ impl TileWork<'_> {
         if let Some(layers) = &mut image.layers {
             layers.extend(context.get(&pixels.layers, count)?);
         }
-        if let Some(diagnostics) = &mut image.diagnostics {
-            diagnostics.extend(context.get(&tile.diagnostics, count)?);
+        match &mut image.diagnostics {
+            None => {}
+            Some(Diagnostics::Particles(all)) => all.extend(context.get(&tile.particles, count)?),
+            Some(Diagnostics::Groups { pixels: all, .. }) => {
+                let mut executor = Direct::new(context);
+                let out = Gpu::chunks(&mut tile.groups, 0..count, 1);
+                tile.points
+                    .diagnose(&mut executor, self.inputs.frame, out, self.count)?;
+                times.film += executor.take_report();
+                all.extend(context.get(&tile.groups, count)?);
+            }
         }
         times.read_back += started.elapsed();
         Ok(())

@@ -141,6 +141,8 @@ impl GroupLight<'_> {
                 blocked += light.blocked;
             }
         }
+        points[first as usize].shadow_rays = count;
+        points[first as usize].residual = (proposal.total + proposal.lobe_worth) * share;
         if count > 0 {
             lit /= divisor;
             blocked /= divisor;

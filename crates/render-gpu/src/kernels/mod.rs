@@ -21,6 +21,7 @@ pub mod estimator;
 pub mod expect;
 pub mod film;
 pub mod frame;
+pub mod group_health;
 pub mod group_light;
 pub mod groups;
 pub mod layers;

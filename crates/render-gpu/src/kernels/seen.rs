@@ -44,12 +44,13 @@ pub struct SeenPoint {
     pub order: u32,
     /// [`BlinnPhong::specular`].
     pub specular: Vec3,
-    /// Fills 16 bytes.
-    pub unused_a: u32,
+    /// Of the first member of a group that was shaded: its shadow rays.
+    pub shadow_rays: u32,
     /// [`ShadingPoint::emission`]; 0 on a catcher.
     pub emission: Vec3,
-    /// Fills 16 bytes.
-    pub unused_b: u32,
+    /// Of the first member of a group that was shaded: the standard deviation, in luminance, that one of its rays was expected to have,
+    /// times the group's share of the pixel.
+    pub residual: f32,
 }
 
 impl SeenPoint {
@@ -66,9 +67,9 @@ impl SeenPoint {
         diffuse: Vec3::ZERO,
         order: 0,
         specular: Vec3::ZERO,
-        unused_a: 0,
+        shadow_rays: 0,
         emission: Vec3::ZERO,
-        unused_b: 0,
+        residual: 0.0,
     };
 
     /// Whether the ray hits something.
@@ -141,13 +142,13 @@ pub fn see_by(pattern: &PixelPattern, frame: &FrameParams, scene: Scene<'_>) -> 
         diffuse: point.brdf.diffuse,
         order: 0,
         specular: point.brdf.specular,
-        unused_a: 0,
+        shadow_rays: 0,
         emission: if is_catcher {
             Vec3::ZERO
         } else {
             point.emission
         },
-        unused_b: 0,
+        residual: 0.0,
     }
 }
 

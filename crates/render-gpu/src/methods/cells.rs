@@ -15,6 +15,7 @@ use crate::kernels::cell_state::{
     COUNT_WORDS, ENTRIES, TILE_HEIGHT, TILE_WIDTH, TileEntry, VISIBILITY_WORDS, WORTHS,
 };
 use crate::kernels::past::PastView;
+use crate::kernels::pilot::STEP;
 use crate::kernels::scout::CellParams;
 use crate::kernels::seen::SeenPoint;
 use crate::prepare::cells_state::{CellsKey, CellsState};
@@ -278,6 +279,16 @@ impl<M: Memory> Counting<M> {
             out: M::chunks(&mut self.visibility, behind, 1),
         };
         executor.run(pass, 0..WORTHS)
+    }
+
+    /// Pilot rays of a pixel of this frame, on average over the image.
+    pub(crate) fn pilot_rays<D: Device<Memory = M>>(&self, device: &D) -> Result<f64, D::Error> {
+        let entries = device.get(&self.now.entries, self.key.entries())?;
+        // One pixel of each block of them sends pilots out.
+        let rays = |entry: &TileEntry| f64::from(entry.hits) * f64::from(entry.pilots);
+        let all: f64 = entries.iter().map(rays).sum();
+        let pixels = f64::from(self.key.size.x) * f64::from(self.key.size.y);
+        Ok(all / f64::from(STEP * STEP) / pixels)
     }
 
     /// This frame becomes the frame before.

@@ -14,8 +14,9 @@ use glimt_executor::gpu::Gpu;
 use glimt_executor::{Device, Entry, Executor, Memory, Pass};
 
 use crate::film::SamplesOut;
-use crate::generated::passes::{self, EnvironmentArg, SceneArg, See};
+use crate::generated::passes::{self, DiagnoseGroups, EnvironmentArg, SceneArg, See};
 use crate::kernels::frame::FrameParams;
+use crate::kernels::group_health::GroupHealth;
 use crate::kernels::seen::SeenPoint;
 use crate::kernels::smc_point::SmcPoint;
 use crate::settings::SettingError;
@@ -136,6 +137,23 @@ impl<M: Memory> Points<M> {
             (self, method.way()),
             (Self::None, Way::Rays) | (Self::Seen(_), Way::Groups) | (Self::Smc(_), Way::Particles)
         )
+    }
+
+    /// Writes how the pixels of a tile fared, where their hits were shaded together.
+    pub(crate) fn diagnose<E: Executor<Memory = M>>(
+        &self,
+        executor: &mut E,
+        frame: &FrameParams,
+        out: M::Chunks<'_, GroupHealth>,
+        pixels: u32,
+    ) -> Result<(), E::Error> {
+        let Self::Seen(points) = self else {
+            return Ok(());
+        };
+        let rays = pixels as usize * frame.rays_per_pixel as usize;
+        let points = M::slice(points, 0..rays);
+        let out = M::shorten_chunks(out);
+        executor.run(DiagnoseGroups { frame, points, out }, 0..pixels)
     }
 
     /// What a method without particles takes of a tile's first `rays` rays.
@@ -392,6 +410,17 @@ macro_rules! memoryless {
                     Self::Smc(_) => true,
                     _ => false,
                 }
+            }
+
+            /// Whether it says how it fared: [`Diagnostics`](crate::prepare::render::Diagnostics).
+            #[must_use]
+            pub fn has_diagnostics(&self) -> bool {
+                self.way() != Way::Rays
+            }
+
+            /// Whether it estimates the light of a pixel's hits together.
+            pub(crate) fn takes_groups(&self) -> bool {
+                self.way() == Way::Groups
             }
 
             /// Whether it leads particles, which stay with their rays.

@@ -13,6 +13,7 @@ use super::scene_build::SceneBuffers;
 use crate::kernels::camera::CameraView;
 use crate::kernels::frame::FrameParams;
 pub use crate::kernels::frame::{Background, Filter, Pattern, Shadow, Tonemap};
+use crate::kernels::group_health::GroupHealth;
 use crate::kernels::layers::PixelLayers;
 use crate::kernels::smc::SmcHealth;
 use crate::methods::{Method, MethodMemory, Prt};
@@ -88,8 +89,22 @@ pub struct FrameImage {
     pub display: Vec<[u8; 4]>,
     /// The layers that it was composited of, not exposed, where they were asked for.
     pub layers: Option<Vec<PixelLayers>>,
-    /// How the particles of [`Method::Smc`] fare in each pixel, where it was asked for.
-    pub diagnostics: Option<Vec<SmcHealth>>,
+    /// How its method fared, where it was asked for, and the method says so.
+    pub diagnostics: Option<Diagnostics>,
+}
+
+/// How a method fared in each pixel of a frame, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Diagnostics {
+    /// Of [`Method::Smc`].
+    Particles(Vec<SmcHealth>),
+    /// Of methods that estimate the light of a pixel's hits together: [`Method::Cells`] and [`Method::Product`].
+    Groups {
+        /// Each pixel.
+        pixels: Vec<GroupHealth>,
+        /// Pilot rays of a pixel, on average over the image.
+        pilot_rays: f64,
+    },
 }
 
 /// Something that turns scenes into frames: the CPU or a GPU.

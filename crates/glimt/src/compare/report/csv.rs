@@ -6,7 +6,7 @@ use crate::compare::statistics::Estimate;
 
 const HEAD: &str = "contestant,frame,samples,time_ms_median,time_ms_lower_quartile,time_ms_upper_quartile,\
 time_holds,relative_rmse,relative_rmse_se,bias,bias_se,bias_p,tiles,tiles_beyond,tile_largest_z,tile_p,\
-flicker,flicker_se,flip,flip_se,efficiency,efficiency_se,reference_noise,keys";
+flicker,flicker_se,flip,flip_se,rays,pilot_share,efficiency,efficiency_se,reference_noise,keys";
 
 /// Comma-separated values (RFC 4180). What is not known is empty.
 #[must_use]
@@ -60,6 +60,8 @@ fn row(
     cells.push(number(local.map(|l| l.p)));
     cells.extend(pair(score.flicker));
     cells.extend(pair(score.flip));
+    cells.push(number(score.rays.map(|rays| rays.all)));
+    cells.push(number(score.rays.map(|rays| rays.pilot_share())));
     cells.extend(pair(efficiency));
     cells.push(number(noise));
     cells.push(quoted(&figures.keys.join(" ")));

@@ -7,6 +7,7 @@ use crate::compare::fit::Hold;
 use crate::compare::flip;
 use crate::compare::measures::{DEFINITIONS, LocalBias, Score};
 use crate::compare::outcome::{Figures, Mode, Outcome, milliseconds, percent, plus_minus};
+use crate::compare::shadow_rays::ShadowRays;
 use crate::compare::statistics::Estimate;
 use crate::output::SOFTWARE;
 
@@ -161,24 +162,31 @@ fn scores(score: &Score) -> Vec<String> {
         largest,
         optional(score.flicker),
     ];
+    let of_rays = |value: fn(ShadowRays) -> String| score.rays.map_or("–".to_owned(), value);
+    cells.push(of_rays(|rays| format!("{:.1}", rays.all)));
+    cells.push(of_rays(|rays| {
+        format!("{:.0} %", 100.0 * rays.pilot_share())
+    }));
     if flip::IS_THERE {
         cells.push(optional(score.flip));
     }
     cells
 }
 
-const SCORES: [&str; 7] = [
+const SCORES: [&str; 9] = [
     "relative RMSE",
     "bias",
     "p",
     "tiles |z| > 2.58",
     "largest |z|",
     "flicker",
+    "rays",
+    "pilots",
     "FLIP",
 ];
 
 fn score_names() -> &'static [&'static str] {
-    &SCORES[..if flip::IS_THERE { 7 } else { 6 }]
+    &SCORES[..SCORES.len() - usize::from(!flip::IS_THERE)]
 }
 
 fn summary(outcome: &Outcome) -> String {
@@ -206,6 +214,25 @@ fn summary(outcome: &Outcome) -> String {
         })
         .collect();
     format!("<h2>All frames</h2>\n{}", table(&head, &rows))
+}
+
+/// Each measured frame; nothing where there is one alone.
+fn by_frame(outcome: &Outcome) -> String {
+    if outcome.about.frames.len() < 2 {
+        return String::new();
+    }
+    let mut head = vec!["frame", "contestant"];
+    head.extend(score_names());
+    let mut rows = Vec::new();
+    for (place, frame) in outcome.about.frames.iter().enumerate() {
+        for (i, c) in outcome.contestants.iter().enumerate() {
+            let mut row = vec![frame.to_string(), named(i, c)];
+            row.extend(scores(&c.frames[place]));
+            rows.push(row);
+        }
+    }
+    let table = table(&head, &rows);
+    format!("<details><summary>Figures of each frame</summary>\n{table}</details>\n")
 }
 
 fn curves(outcome: &Outcome) -> String {
@@ -244,7 +271,7 @@ fn curves(outcome: &Outcome) -> String {
         chart_of("relative RMSE", &|s| Some(s.error)),
         chart_of("flicker", &|s| s.flicker),
         chart_of("FLIP", &|s| s.flip)
-    )
+    ) + &by_frame(outcome)
 }
 
 fn strip(outcome: &Outcome, pictures: &Pictures) -> String {

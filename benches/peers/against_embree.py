@@ -2,7 +2,7 @@
 
     RAYS_DIR=/tmp/rays cargo bench -p glimt-benches --bench rays
     pip install embreex numpy
-    python benches/peers/embree.py /tmp/rays
+    python benches/peers/against_embree.py /tmp/rays
 """
 
 import importlib.metadata
