@@ -296,33 +296,39 @@ fn health(image: &FrameImage) -> (&[GroupHealth], f64) {
 /// Rays are counted where there is something to look at, and as many as the settings say; to count them changes nothing.
 #[test]
 fn diagnostics_count_shadow_rays() {
-    let (scene, env) = (small_things(false, 0.7, 0.0), lamp_and_sky());
+    let env = lamp_and_sky();
+    let scenes = [false, true].map(|catcher| small_things(catcher, 0.7, 0.0));
     let mut gpu = adapter_or_skip("groups").map(|context| GpuRenderer::on(context).unwrap());
-    for (method, pilots) in [
-        (product(8), 0.0..0.0),
-        (even_cells(8), 0.5..2.0),
-        (cells(8), 0.5..2.0),
+    for (method, pilots, layers) in [
+        (product(8), 0.0..0.0, false),
+        (even_cells(8), 0.5..2.0, false),
+        (cells(8), 0.5..2.0, false),
+        (cells(8), 0.5..2.0, true),
     ] {
-        let plain = coarse(method, 4, false);
+        let scene = &scenes[usize::from(layers)];
+        let plain = coarse(method, 4, layers);
         let asked = RenderSettings {
             diagnostics: true,
             ..plain
         };
-        let image = render(&scene, &env, &asked);
-        let without = render(&scene, &env, &plain);
+        let image = render(scene, &env, &asked);
+        let without = render(scene, &env, &plain);
         assert_eq!(image.linear, without.linear);
         assert_eq!(without.diagnostics, None);
         let (pixels, pilot_rays) = health(&image);
         let range = pilots.start..=pilots.end;
         assert!(range.contains(&pilot_rays), "{pilot_rays} pilots");
-        let mut rays = 0.0;
-        for (pixel, colour) in pixels.iter().zip(&image.linear) {
-            let shows = colour.w > 0.0;
-            assert_eq!(pixel.residual > 0.0, shows, "{pixel:?} {colour}");
-            assert!(shows || pixel.rays == 0.0);
+        let (mut rays, mut covered) = (0.0, 0.0);
+        for (i, pixel) in pixels.iter().enumerate() {
+            let own = match &image.layers {
+                Some(layers) => layers[i].object.w + layers[i].catcher,
+                None => image.linear[i].w,
+            };
+            assert_eq!(pixel.residual > 0.0, own > 0.0, "{pixel:?} {own}");
+            assert!(own > 0.0 || pixel.rays == 0.0);
             rays += pixel.rays;
+            covered += own;
         }
-        let covered: f32 = image.linear.iter().map(|colour| colour.w).sum();
         let wanted = match method {
             // Where rays go to what they are worth, as many as all pixels have.
             Method::Cells(Cells { adaptive: true, .. }) => 8.0 * pixels.len() as f32,
@@ -331,7 +337,7 @@ fn diagnostics_count_shadow_rays() {
         assert!((rays / wanted - 1.0).abs() < 0.2, "{rays} rays of {wanted}");
         if let Some(gpu) = &mut gpu {
             gpu.forget();
-            let other = gpu.render_frame(&scene, &env, &asked, &|_| ()).unwrap();
+            let other = gpu.render_frame(scene, &env, &asked, &|_| ()).unwrap();
             let (others, other_pilots) = health(&other);
             assert_eq!(pilot_rays, other_pilots);
             let near = |a: f32, b: f32| (a - b).abs() <= 1e-3 * a.abs().max(b.abs());

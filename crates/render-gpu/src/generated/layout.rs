@@ -64,8 +64,8 @@ const _: () = {
     assert!(offset_of!(crate::kernels::cell_state::TileEntry, off_centre) == 44);
     assert!(offset_of!(crate::kernels::cell_state::TileEntry, from) == 48);
     assert!(offset_of!(crate::kernels::cell_state::TileEntry, pilots) == 52);
-    assert!(offset_of!(crate::kernels::cell_state::TileEntry, unused_a) == 56);
-    assert!(offset_of!(crate::kernels::cell_state::TileEntry, unused_b) == 60);
+    assert!(offset_of!(crate::kernels::cell_state::TileEntry, catcher) == 56);
+    assert!(offset_of!(crate::kernels::cell_state::TileEntry, unused) == 60);
     assert!(size_of::<crate::kernels::composite::PlatePixel>() == 16);
     assert!(offset_of!(crate::kernels::composite::PlatePixel, linear) == 0);
     assert!(offset_of!(crate::kernels::composite::PlatePixel, code) == 12);

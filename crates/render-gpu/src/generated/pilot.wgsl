@@ -38,8 +38,8 @@ struct TileEntry {
     off_centre: f32,
     from_: u32,
     pilots: u32,
-    unused_a: u32,
-    unused_b: u32,
+    catcher: u32,
+    unused: u32,
 }
 
 struct ColourMatrix {

@@ -38,8 +38,8 @@ struct TileEntry {
     off_centre: f32,
     from_: u32,
     pilots: u32,
-    unused_a: u32,
-    unused_b: u32,
+    catcher: u32,
+    unused: u32,
 }
 
 struct ColourMatrix {
@@ -2074,11 +2074,19 @@ fn luminance(rgb: vec3<f32>) -> f32 {
     return (((0.2126f * rgb.x) + (0.7152f * rgb.y)) + (0.0722f * rgb.z));
 }
 
+// glimt_render_gpu/src/kernels/seen.rs:85
+fn SeenPoint_is_catcher(this_28: SeenPoint) -> bool {
+
+    // glimt_render_gpu/src/kernels/seen.rs:86
+    return ((this_28.flags & 2u) != 0u);
+}
+
 // glimt_render_gpu/src/kernels/scout.rs:90
 fn enter(point: SeenPoint, off_centre: f32, entries_start: u32, entries_len: u32) {
     var at_1: u32;
     var is_found: bool;
     var counter_5: u32;
+    var chosen_13: u32;
 
     // glimt_render_gpu/src/kernels/scout.rs:91
     at_1 = (3u - 1u);
@@ -2116,12 +2124,20 @@ fn enter(point: SeenPoint, off_centre: f32, entries_start: u32, entries_len: u32
         // glimt_render_gpu/src/kernels/scout.rs:103
         let _e66 = luminance(point.diffuse);
         let _e68 = luminance(point.specular);
-        let _e74 = at_1;
-        entries[(entries_start + _e74)] = TileEntry(point.origin, point.surface, point.normal, point.exponent, _e66, _e68, hits, off_centre, 0u, 0u, 0u, 0u);
+        let _e72 = SeenPoint_is_catcher(point);
+        if _e72 {
+            // glimt_render_gpu/src/kernels/scout.rs:114
+            chosen_13 = 1u;
+        } else {
+            chosen_13 = 0u;
+        }
+        let _e76 = chosen_13;
+        let _e79 = at_1;
+        entries[(entries_start + _e79)] = TileEntry(point.origin, point.surface, point.normal, point.exponent, _e66, _e68, hits, off_centre, 0u, 0u, _e76, 0u);
     } else {
         // glimt_render_gpu/src/kernels/scout.rs:118
-        let _e79 = at_1;
-        entries[(entries_start + _e79)].hits = hits;
+        let _e84 = at_1;
+        entries[(entries_start + _e84)].hits = hits;
     }
     return;
 }

@@ -11,8 +11,8 @@ struct TileEntry {
     off_centre: f32,
     from_: u32,
     pilots: u32,
-    unused_a: u32,
-    unused_b: u32,
+    catcher: u32,
+    unused: u32,
 }
 
 struct ColourMatrix {
@@ -812,22 +812,22 @@ fn worth_2(tile: u32, frame_1: FrameParams, env_size_2: vec2<u32>, env_rotation_
             // glimt_render_gpu/src/kernels/expect.rs:114
             let _e35 = representative_of(entry_2, frame_1, env_size_2, env_rotation_2);
             // glimt_render_gpu/src/kernels/expect.rs:115
-            let _e38 = Proposal_new(_e35, _e6.value_size, _e6.value_start, (tile * 3u), (slot_1 + 1u), false);
-            proposal = _e38;
+            let _e40 = Proposal_new(_e35, _e6.value_size, _e6.value_start, (tile * 3u), (slot_1 + 1u), (entry_2.catcher != 0u));
+            proposal = _e40;
             // glimt_render_gpu/src/kernels/expect.rs:116
-            let _e44 = proposal.total;
-            let _e46 = proposal.lobe_worth;
-            let _e49 = sum;
-            sum = (_e49 + (f32(entry_2.hits) * (_e44 + _e46)));
+            let _e46 = proposal.total;
+            let _e48 = proposal.lobe_worth;
+            let _e51 = sum;
+            sum = (_e51 + (f32(entry_2.hits) * (_e46 + _e48)));
         }
         continuing {
-            let _e51 = counter_3;
-            counter_3 = (_e51 + 1u);
+            let _e53 = counter_3;
+            counter_3 = (_e53 + 1u);
         }
     }
     // glimt_render_gpu/src/kernels/expect.rs:119
-    let _e55 = sum;
-    return _e55;
+    let _e57 = sum;
+    return _e57;
 }
 
 @compute @workgroup_size(64, 1, 1) 

@@ -53,10 +53,10 @@ pub struct TileEntry {
     pub from: u32,
     /// Pilot rays of each pixel that sends some out.
     pub pilots: u32,
+    /// 1 for a catcher.
+    pub catcher: u32,
     /// Fills 16 bytes.
-    pub unused_a: u32,
-    /// Fills 16 bytes.
-    pub unused_b: u32,
+    pub unused: u32,
 }
 
 impl TileEntry {
@@ -72,8 +72,8 @@ impl TileEntry {
         off_centre: 0.0,
         from: 0,
         pilots: 0,
-        unused_a: 0,
-        unused_b: 0,
+        catcher: 0,
+        unused: 0,
     };
 }
 

@@ -112,7 +112,7 @@ pub fn worth(
                 slot: slot + 1,
             };
             let of = representative_of(&entry, frame, env);
-            let proposal = Proposal::new(&of, &light, &expected, false);
+            let proposal = Proposal::new(&of, &light, &expected, entry.catcher != 0);
             sum += entry.hits as f32 * (proposal.total + proposal.lobe_worth);
         }
     }

@@ -111,8 +111,8 @@ fn enter(point: &SeenPoint, off_centre: f32, entries: &mut [TileEntry]) {
             off_centre,
             from: 0,
             pilots: 0,
-            unused_a: 0,
-            unused_b: 0,
+            catcher: if point.is_catcher() { 1 } else { 0 },
+            unused: 0,
         };
     } else {
         entries[at as usize].hits = hits;
