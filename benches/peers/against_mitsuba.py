@@ -1,6 +1,6 @@
 """Holds glimt against Mitsuba 3: error² × time in shots that both render, each against a reference of its own.
 
-    pip install mitsuba numpy
+    pip install mitsuba numpy        # and LLVM 16 or newer; DRJIT_LIBLLVM_PATH says where
     cargo build --release
     python benches/peers/against_mitsuba.py --data FOLDER --out FOLDER
 
@@ -21,6 +21,7 @@ import mitsuba as mi
 import numpy as np
 
 mi.set_variant("llvm_ad_rgb")
+mi.set_log_level(mi.LogLevel.Error)
 import drjit as dr  # noqa: E402 (of the variant)
 
 SIZE = (128, 72)
