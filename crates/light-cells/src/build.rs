@@ -13,11 +13,17 @@ use crate::partition::{
 };
 
 /// Points of each edge of a cell that its radius is measured at, and what may lie beyond them, in radians.
-const EDGE_POINTS: u32 = 8;
+const EDGE_POINTS: usize = 9;
 const BEYOND_POINTS: f64 = 2e-3;
 
 /// The most texel rows of a row of cells: those at the poles have 16 % of the map's.
 const MOST_ROWS: usize = MAX_SIZE as usize / 6;
+
+/// A number whose neighbours are one apart: the bits of a sum with it, less its own, are the other number, if that is whole.
+const LOW_BITS: f32 = 8_388_608.0;
+
+/// Sums that are added up side by side.
+const LANES: usize = 8;
 
 /// The most texel columns of a column of cells.
 const MOST_COLUMNS: usize = (MAX_SIZE / COLUMNS) as usize;
@@ -254,6 +260,19 @@ impl Turns {
     }
 }
 
+impl Turns {
+    /// Cosines and sines at the first four texels of a column of cells.
+    fn first_four(&self, column: usize) -> (Vec4, Vec4) {
+        let mut turn = self.first[column];
+        let mut both = [[0.0; 4]; 2];
+        for lane in 0..4 {
+            [both[0][lane], both[1][lane]] = turn;
+            turn = turned(turn, self.step);
+        }
+        (both[0].into(), both[1].into())
+    }
+}
+
 impl Ring {
     fn new(y: u32, size: UVec2) -> Ring {
         let (width, height) = (f64::from(size.x), f64::from(size.y));
@@ -305,25 +324,36 @@ impl Sums {
         column: usize,
     ) -> f32 {
         // Within a row f32 will do: a cell's row has a few hundred texels at most.
-        let (mut sum, mut x, mut y) = (Vec4::ZERO, Vec4::ZERO, Vec4::ZERO);
+        // Of even and of odd texels, as one sum would wait for itself.
+        let (mut sum, mut x, mut y) = ([Vec4::ZERO; 2], [Vec4::ZERO; 2], [Vec4::ZERO; 2]);
         let mut square = 0.0;
+        let mut add = |lane: usize, texel: Vec4, own: f32, cos: Vec4, sin: Vec4| {
+            let texel = texel.truncate().extend(own);
+            sum[lane % 2] += texel;
+            x[lane % 2] += texel * cos[lane];
+            y[lane % 2] += texel * sin[lane];
+        };
         // Four angles turn side by side, as each waits for its own multiplication.
-        let (mut cos, mut sin) = ([turns.first[column][0]; 4], [turns.first[column][1]; 4]);
-        for lane in 1..4 {
-            [cos[lane], sin[lane]] = turned([cos[lane - 1], sin[lane - 1]], turns.step);
-        }
-        for (texels, weights) in texels.chunks(4).zip(weights.chunks(4)) {
-            for (lane, (texel, own)) in texels.iter().zip(weights).enumerate() {
-                let texel = texel.truncate().extend(*own);
-                square += own * own;
-                sum += texel;
-                x += texel * cos[lane];
-                y += texel * sin[lane];
-            }
+        let (mut cos, mut sin) = turns.first_four(column);
+        let [step_cos, step_sin] = turns.four_steps;
+        let (chunks, last_texels) = texels.as_chunks::<4>();
+        let (weight_chunks, last_weights) = weights.as_chunks::<4>();
+        for (texels, weights) in chunks.iter().zip(weight_chunks) {
+            let own = Vec4::from_array(*weights);
+            square += own.length_squared();
             for lane in 0..4 {
-                [cos[lane], sin[lane]] = turned([cos[lane], sin[lane]], turns.four_steps);
+                add(lane, texels[lane], weights[lane], cos, sin);
             }
+            (cos, sin) = (
+                cos * step_cos - sin * step_sin,
+                sin * step_cos + cos * step_sin,
+            );
         }
+        for (lane, (texel, own)) in last_texels.iter().zip(last_weights).enumerate() {
+            square += own * own;
+            add(lane, *texel, *own, cos, sin);
+        }
+        let (sum, x, y) = (sum[0] + sum[1], x[0] + x[1], y[0] + y[1]);
         let flux = f64::from(sum.w) * ring.area;
         self.flux += flux;
         self.square += f64::from(square) * ring.area;
@@ -371,6 +401,16 @@ impl Sums {
     }
 }
 
+/// The place between two columns or rows of `n`, as a share of all.
+fn mix([a, b]: [u32; 2], t: f64, n: u32) -> f64 {
+    (f64::from(a) * (1.0 - t) + f64::from(b) * t) / f64::from(n)
+}
+
+/// The direction of a place across and down.
+fn towards([cos_phi, sin_phi]: [f64; 2], [cos, sin]: [f64; 2]) -> DVec3 {
+    DVec3::new(sin * cos_phi, sin * sin_phi, cos)
+}
+
 /// Where a cell lies.
 struct Outline {
     columns: [u32; 2],
@@ -379,19 +419,20 @@ struct Outline {
 }
 
 impl Outline {
-    /// The direction at a place in it, from 0 to 1 across and down.
-    fn at(&self, across: f64, down: f64) -> DVec3 {
-        let mix = |[a, b]: [u32; 2], t: f64, n: u32| {
-            (f64::from(a) * (1.0 - t) + f64::from(b) * t) / f64::from(n)
-        };
-        let phi = PI - 2.0 * PI * mix(self.columns, across, self.size.x);
-        let theta = PI * mix(self.rows, down, self.size.y);
-        let (sin, cos) = (libm::sin(theta), libm::cos(theta));
-        DVec3::new(sin * libm::cos(phi), sin * libm::sin(phi), cos)
+    /// Cosine and sine of φ at a place across it, from 0 to 1.
+    fn across(&self, place: f64) -> [f64; 2] {
+        let phi = PI - 2.0 * PI * mix(self.columns, place, self.size.x);
+        [libm::cos(phi), libm::sin(phi)]
+    }
+
+    /// Cosine and sine of θ at a place down it, from 0 to 1.
+    fn down(&self, place: f64) -> [f64; 2] {
+        let theta = PI * mix(self.rows, place, self.size.y);
+        [libm::cos(theta), libm::sin(theta)]
     }
 
     fn middle(&self) -> DVec3 {
-        self.at(0.5, 0.5)
+        towards(self.across(0.5), self.down(0.5))
     }
 
     fn solid_angle(&self) -> f64 {
@@ -408,18 +449,19 @@ impl Outline {
             return 0.0;
         }
         let from = direction.as_dvec3();
-        let angle = |to: DVec3| libm::atan2(from.cross(to).length(), from.dot(to));
-        let mut largest = 0.0;
         // A cell may span more than half of the sphere: points inside it count, too.
-        for i in 0..=EDGE_POINTS {
-            for j in 0..=EDGE_POINTS {
-                let [across, down] = [i, j].map(|k| f64::from(k) / f64::from(EDGE_POINTS));
-                let own = angle(self.at(across, down));
-                if own > largest {
-                    largest = own;
+        let place = |k: usize| k as f64 / (EDGE_POINTS - 1) as f64;
+        let across: [[f64; 2]; EDGE_POINTS] = core::array::from_fn(|k| self.across(place(k)));
+        let mut farthest = from;
+        for down in (0..EDGE_POINTS).map(|k| self.down(place(k))) {
+            for across in across {
+                let own = towards(across, down);
+                if from.dot(own) < from.dot(farthest) {
+                    farthest = own;
                 }
             }
         }
+        let largest = libm::atan2(from.cross(farthest).length(), from.dot(farthest));
         let extent = f64::from(self.columns[1] - self.columns[0]) / f64::from(self.size.x);
         // Of small cells the points miss less than the constant; a map of few texels has wide ones.
         let coarse = if extent > 2.0 / f64::from(COLUMNS) {
@@ -458,28 +500,52 @@ fn row_edges(edges: &mut [u32]) -> Result<(), BuildError> {
 
 /// Writes the edges of a cell's texels in one row, of these luminances, from column `left` on, into the row's words, which are 0.
 ///
-/// Each texel with light has a unit of its own; the others are shared out by luminance. So no texel is lost, and the density is that of
-/// the luminance mixed with an even one, of a thousandth for 32 texels.
+/// Each texel with light has a unit of its own; the others are shared out by luminance, what rounding leaves to the last. So no texel is
+/// lost, and the density is that of the luminance mixed with an even one, of a thousandth for 32 texels.
 fn column_edges(weights: &[f32], left: u32, words: &mut [u32]) {
-    let (mut total, mut lights) = (0.0_f32, 0);
-    for own in weights {
-        total += own;
-        lights += u32::from(*own > 0.0);
+    // In lanes, as one sum would wait for itself.
+    let (mut sums, mut counts) = ([0.0_f32; LANES], [0_u32; LANES]);
+    let (chunks, rest) = weights.as_chunks::<LANES>();
+    for chunk in chunks {
+        for (lane, own) in chunk.iter().enumerate() {
+            sums[lane] += own;
+            counts[lane] += u32::from(*own > 0.0);
+        }
     }
-    if lights == 0 {
+    for (lane, own) in rest.iter().enumerate() {
+        sums[lane] += own;
+        counts[lane] += u32::from(*own > 0.0);
+    }
+    let (total, lights) = (sums.iter().sum::<f32>(), counts.iter().sum::<u32>());
+    let Some(last) = weights.iter().rposition(|own| *own > 0.0) else {
         return;
-    }
+    };
     let shared = COLUMN_UNITS - lights;
-    let scale = shared as f32 / total;
-    let (mut sum, mut lit) = (0.0_f32, 0);
-    for (x, own) in (left..).zip(weights) {
-        sum += own;
-        lit += u32::from(*own > 0.0);
-        // The last texel with light has all that is left, whatever rounding says.
-        let edge = match lit == lights {
-            true => COLUMN_UNITS,
-            false => lit + ((sum * scale) as u32).min(shared),
-        };
-        words[(x / 2) as usize] |= edge << (16 * (x & 1));
+    // Of a sum near the smallest number, a quotient would be infinite.
+    let scale = (shared as f32 / total).min(f32::MAX);
+    let mut edges = [0_u32; MOST_COLUMNS];
+    for (edge, own) in edges.iter_mut().zip(weights) {
+        // Whole units, or one fewer. What is added moves them to the lowest bits, which no conversion does on many at once.
+        let units = (own * scale - 0.5).max(0.0) + LOW_BITS;
+        *edge = (units.to_bits() - LOW_BITS.to_bits()) + u32::from(*own > 0.0);
+    }
+    let mut sum = 0;
+    for edge in &mut edges[..last] {
+        sum += *edge;
+        *edge = sum;
+    }
+    edges[last..weights.len()].fill(COLUMN_UNITS);
+    let (mut edges, mut left) = (&edges[..weights.len()], left);
+    if left % 2 == 1 {
+        words[(left / 2) as usize] |= edges[0] << 16;
+        (edges, left) = (&edges[1..], left + 1);
+    }
+    let (pairs, rest) = edges.as_chunks::<2>();
+    let words = &mut words[(left / 2) as usize..];
+    for (word, pair) in words.iter_mut().zip(pairs) {
+        *word = pair[0] | pair[1] << 16;
+    }
+    if let [edge] = rest {
+        words[pairs.len()] = *edge;
     }
 }
