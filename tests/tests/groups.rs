@@ -153,9 +153,12 @@ fn means(
         .collect()
 }
 
+/// How many lists a test compares, at most: their numbers share one risk of a false alarm.
+const LISTS: usize = 20;
+
 /// Whether two lists of means are of the same numbers, each by itself and all together.
 fn differ(a: &[Mean], b: &[Mean]) -> Result<(), String> {
-    let alpha = sidak(0.01, a.len());
+    let alpha = sidak(0.01, LISTS * a.len());
     let (mut sum, mut variance) = (0.0, 0.0);
     for (i, (a, b)) in a.iter().zip(b).enumerate() {
         let apart = Mean {
@@ -185,12 +188,13 @@ fn means_are_those_of_another_method_where_normals_vary() {
     for (diffuse, specular) in [(0.8, 0.0), (0.3, 0.6)] {
         for layers in [false, true] {
             let scene = small_things(layers, diffuse, specular);
-            let truth = means(&scene, &env, coarse(mis, 16, layers), 128);
+            let truth = means(&scene, &env, coarse(mis, 16, layers), 192);
             let mut named = vec![
                 ("product", coarse(product(16), 9, layers)),
                 ("cells", coarse(cells(16), 9, layers)),
                 ("cells, few rays", coarse(cells(2), 5, layers)),
-                ("cells, evenly", coarse(even_cells(12), 16, layers)),
+                // Less than a ray for a group of few.
+                ("cells, evenly", coarse(even_cells(4), 16, layers)),
             ];
             let independent = RenderSettings {
                 pattern: Pattern::Independent,
@@ -198,12 +202,12 @@ fn means_are_those_of_another_method_where_normals_vary() {
             };
             named.push(("cells, independent", independent));
             for (name, settings) in named {
-                let own = means(&scene, &env, settings, 128);
+                let own = means(&scene, &env, settings, 192);
                 differ(&own, &truth).unwrap_or_else(|why| panic!("{name}, layers {layers}: {why}"));
             }
             // Another surface is noticed.
             let other = small_things(layers, diffuse * 0.97, specular * 0.97);
-            let wrong = means(&other, &env, coarse(cells(16), 9, layers), 128);
+            let wrong = means(&other, &env, coarse(cells(16), 9, layers), 192);
             assert!(differ(&wrong, &truth).is_err(), "layers {layers}");
         }
     }

@@ -2575,23 +2575,23 @@ fn CellSurface_product_weights(this_34: CellSurface, terms_3: CellTerms, flux_2:
     return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_34.diffuse)));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:253
+// glimt_render_gpu/src/kernels/proposal.rs:256
 fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen_13: vec4<f32>;
     var chosen_14: vec4<f32>;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:260
+    // glimt_render_gpu/src/kernels/proposal.rs:263
     if (true && is_catcher) {
-        // glimt_render_gpu/src/kernels/proposal.rs:261
+        // glimt_render_gpu/src/kernels/proposal.rs:264
         let _e11 = CellSurface_blocked_weights(surface_2, terms_4, flux_3, visibility_2);
         chosen_13 = _e11;
     } else {
         if true {
-            // glimt_render_gpu/src/kernels/proposal.rs:263
+            // glimt_render_gpu/src/kernels/proposal.rs:266
             let _e15 = CellSurface_residual_weights(surface_2, terms_4, flux_3, visibility_2);
             chosen_14 = _e15;
         } else {
-            // glimt_render_gpu/src/kernels/proposal.rs:265
+            // glimt_render_gpu/src/kernels/proposal.rs:268
             let _e17 = CellSurface_product_weights(surface_2, terms_4, flux_3);
             chosen_14 = _e17;
         }
@@ -2602,37 +2602,37 @@ fn weights(surface_2: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:151
+// glimt_render_gpu/src/kernels/proposal.rs:154
 fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_4: u32, channel: u32, normal_4: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:159
+    // glimt_render_gpu/src/kernels/proposal.rs:162
     let list_1 = (4u + (3u * channel));
-    // glimt_render_gpu/src/kernels/proposal.rs:160
+    // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_4);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_4);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_4);
     let moment = (((_e14 * normal_4.x) + (_e19 * normal_4.y)) + (_e25 * normal_4.z));
-    // glimt_render_gpu/src/kernels/proposal.rs:163
+    // glimt_render_gpu/src/kernels/proposal.rs:166
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_4);
-    // glimt_render_gpu/src/kernels/proposal.rs:164
+    // glimt_render_gpu/src/kernels/proposal.rs:167
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:169
+// glimt_render_gpu/src/kernels/proposal.rs:172
 fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_5: u32, normal_5: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:170
+    // glimt_render_gpu/src/kernels/proposal.rs:173
     let _e9 = channel_sum(cells_size_1, cells_start_1, quad_5, 0u, normal_5, full_1, cut_1);
     let _e11 = channel_sum(cells_size_1, cells_start_1, quad_5, 1u, normal_5, full_1, cut_1);
     let _e13 = channel_sum(cells_size_1, cells_start_1, quad_5, 2u, normal_5, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:179
+// glimt_render_gpu/src/kernels/proposal.rs:182
 fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_6: u32, factors: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:180
+    // glimt_render_gpu/src/kernels/proposal.rs:183
     let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_6);
     let _e8 = (_e7 * factors);
     let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_6);
@@ -2642,106 +2642,106 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_6: u32, factor
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:188
+// glimt_render_gpu/src/kernels/proposal.rs:191
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_from: u32, expected_turned: u32, is_catcher_1: bool) -> Totals {
     var t_4: Totals;
     var counter_6: u32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:194
-    let surface_3 = of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:195
-    let has_lobe = (surface_3.specular > 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:196
+    // glimt_render_gpu/src/kernels/proposal.rs:197
+    let surface_4 = of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:198
+    let has_lobe = (surface_4.specular > 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:199
     t_4 = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/proposal.rs:211
+    // glimt_render_gpu/src/kernels/proposal.rs:214
     counter_6 = 0u;
     loop {
         let quad_7 = counter_6;
         if (quad_7 >= 128u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:212
+        // glimt_render_gpu/src/kernels/proposal.rs:215
         let _e43 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_7);
-        // glimt_render_gpu/src/kernels/proposal.rs:213
-        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_7);
-        // glimt_render_gpu/src/kernels/proposal.rs:214
+        // glimt_render_gpu/src/kernels/proposal.rs:216
+        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_4, quad_7);
+        // glimt_render_gpu/src/kernels/proposal.rs:217
         let _e48 = (_e43 * _e45.live);
         let live = (((_e48.x + _e48.y) + _e48.z) + _e48.w);
-        // glimt_render_gpu/src/kernels/proposal.rs:216
+        // glimt_render_gpu/src/kernels/proposal.rs:219
         if (live > 0f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:217
-            let _e60 = Remembered_quad(expected_from, expected_turned, quad_7);
-            // glimt_render_gpu/src/kernels/proposal.rs:218
-            let _e62 = weights(surface_3, _e45, _e43, _e60, is_catcher_1);
-            // glimt_render_gpu/src/kernels/proposal.rs:219
-            let weight_1 = (((_e62.x + _e62.y) + _e62.z) + _e62.w);
             // glimt_render_gpu/src/kernels/proposal.rs:220
+            let _e60 = Remembered_quad(expected_from, expected_turned, quad_7);
+            // glimt_render_gpu/src/kernels/proposal.rs:221
+            let _e62 = weights(surface_4, _e45, _e43, _e60, is_catcher_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:222
+            let weight_1 = (((_e62.x + _e62.y) + _e62.z) + _e62.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:223
             if true {
-                // glimt_render_gpu/src/kernels/proposal.rs:221
+                // glimt_render_gpu/src/kernels/proposal.rs:224
                 let full_2 = (_e45.full * _e60);
-                // glimt_render_gpu/src/kernels/proposal.rs:222
+                // glimt_render_gpu/src/kernels/proposal.rs:225
                 let cut_2 = ((_e60 - full_2) * _e45.cosine);
-                // glimt_render_gpu/src/kernels/proposal.rs:223
+                // glimt_render_gpu/src/kernels/proposal.rs:226
                 let _e83 = diffuse_sum(cells_size_3, cells_start_3, quad_7, of_.mean_normal, full_2, cut_2);
                 let _e84 = t_4.diffuse;
                 t_4.diffuse = (_e84 + _e83);
-                // glimt_render_gpu/src/kernels/proposal.rs:224
+                // glimt_render_gpu/src/kernels/proposal.rs:227
                 if is_catcher_1 {
-                    // glimt_render_gpu/src/kernels/proposal.rs:225
+                    // glimt_render_gpu/src/kernels/proposal.rs:228
                     let cut_3 = ((vec4(1f) - _e45.full) * _e45.cosine);
-                    // glimt_render_gpu/src/kernels/proposal.rs:226
+                    // glimt_render_gpu/src/kernels/proposal.rs:229
                     let _e97 = diffuse_sum(cells_size_3, cells_start_3, quad_7, of_.mean_normal, _e45.full, cut_3);
-                    // glimt_render_gpu/src/kernels/proposal.rs:227
+                    // glimt_render_gpu/src/kernels/proposal.rs:230
                     let _e100 = t_4.open_diffuse;
                     t_4.open_diffuse = (_e100 + _e97);
-                    // glimt_render_gpu/src/kernels/proposal.rs:228
+                    // glimt_render_gpu/src/kernels/proposal.rs:231
                     let _e105 = radiance_sum(cells_size_3, cells_start_3, quad_7, _e45.lobe);
                     let _e106 = t_4.open_specular;
                     t_4.open_specular = (_e106 + _e105);
                 }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:231
+            // glimt_render_gpu/src/kernels/proposal.rs:234
             if has_lobe {
-                // glimt_render_gpu/src/kernels/proposal.rs:232
+                // glimt_render_gpu/src/kernels/proposal.rs:235
                 let a_5 = (_e45.lobe * _e43);
-                // glimt_render_gpu/src/kernels/proposal.rs:233
+                // glimt_render_gpu/src/kernels/proposal.rs:236
                 let spread = ((a_5 * _e45.lobe_spread) * _e45.lobe_spread);
-                // glimt_render_gpu/src/kernels/proposal.rs:234
+                // glimt_render_gpu/src/kernels/proposal.rs:237
                 let _e126 = t_4.lobe;
                 t_4.lobe = (_e126 + (((a_5.x + a_5.y) + a_5.z) + a_5.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:235
+                // glimt_render_gpu/src/kernels/proposal.rs:238
                 let _e137 = t_4.lobe_spread;
                 t_4.lobe_spread = (_e137 + (((spread.x + spread.y) + spread.z) + spread.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:236
+                // glimt_render_gpu/src/kernels/proposal.rs:239
                 let _e140 = (a_5 * _e60);
                 let _e149 = t_4.lobe_visible;
                 t_4.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:237
+                // glimt_render_gpu/src/kernels/proposal.rs:240
                 let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_7);
                 let _e155 = (_e45.lobe * _e154);
                 let _e164 = t_4.lobe_square;
                 t_4.lobe_square = (_e164 + (((_e155.x + _e155.y) + _e155.z) + _e155.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:238
+                // glimt_render_gpu/src/kernels/proposal.rs:241
                 let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_7);
                 let _e170 = (_e45.lobe * _e169);
                 let _e179 = t_4.lobe_area;
                 t_4.lobe_area = (_e179 + (((_e170.x + _e170.y) + _e170.z) + _e170.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:239
+                // glimt_render_gpu/src/kernels/proposal.rs:242
                 if true {
-                    // glimt_render_gpu/src/kernels/proposal.rs:240
+                    // glimt_render_gpu/src/kernels/proposal.rs:243
                     let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_7, (_e45.lobe * _e60));
                     let _e188 = t_4.specular;
                     t_4.specular = (_e188 + _e187);
                 }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:243
+            // glimt_render_gpu/src/kernels/proposal.rs:246
             t_4.quads[quad_7] = weight_1;
-            // glimt_render_gpu/src/kernels/proposal.rs:244
+            // glimt_render_gpu/src/kernels/proposal.rs:247
             t_4.lives[quad_7] = live;
-            // glimt_render_gpu/src/kernels/proposal.rs:245
+            // glimt_render_gpu/src/kernels/proposal.rs:248
             let _e198 = t_4.weight;
             t_4.weight = (_e198 + weight_1);
-            // glimt_render_gpu/src/kernels/proposal.rs:246
+            // glimt_render_gpu/src/kernels/proposal.rs:249
             let _e202 = t_4.live;
             t_4.live = (_e202 + live);
         }
@@ -2750,24 +2750,33 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
             counter_6 = (_e204 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:249
+    // glimt_render_gpu/src/kernels/proposal.rs:252
     let _e208 = t_4;
     return _e208;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:272
+// glimt_render_gpu/src/kernels/proposal.rs:275
 fn worth(a_2: f32, visible: f32, variance: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:273
+    // glimt_render_gpu/src/kernels/proposal.rs:276
     if true {
-        // glimt_render_gpu/src/kernels/proposal.rs:274
+        // glimt_render_gpu/src/kernels/proposal.rs:277
         return (a_2 * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:277
+    // glimt_render_gpu/src/kernels/proposal.rs:280
     return (a_2 * sqrt((1f + (2f * variance))));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:284
+// glimt_render_gpu/src/kernels/proposal.rs:285
+fn is_sharp(surface_3: CellSurface) -> bool {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:286
+    let is_flat = (dot(surface_3.normal, surface_3.wo) < 0.3f);
+    // glimt_render_gpu/src/kernels/proposal.rs:287
+    return ((surface_3.specular > 0f) && (is_flat || (surface_3.exponent > 40f)));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:294
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_from_1: u32, expected_turned_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
@@ -2784,179 +2793,178 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var counter_8: u32;
     var lobe_share: f32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:290
+    // glimt_render_gpu/src/kernels/proposal.rs:300
     of_2 = of_1;
-    // glimt_render_gpu/src/kernels/proposal.rs:291
+    // glimt_render_gpu/src/kernels/proposal.rs:301
     let _e10 = of_2;
     let _e11 = weigh(_e10, cells_size_4, cells_start_4, expected_from_1, expected_turned_1, is_catcher_2);
     sums = _e11;
-    // glimt_render_gpu/src/kernels/proposal.rs:292
+    // glimt_render_gpu/src/kernels/proposal.rs:302
     let _e14 = sums;
     first_5 = _e14;
-    // glimt_render_gpu/src/kernels/proposal.rs:293
+    // glimt_render_gpu/src/kernels/proposal.rs:303
     lobe_worth = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:294
+    // glimt_render_gpu/src/kernels/proposal.rs:304
     least_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:295
+    // glimt_render_gpu/src/kernels/proposal.rs:305
     share = 1f;
-    // glimt_render_gpu/src/kernels/proposal.rs:296
+    // glimt_render_gpu/src/kernels/proposal.rs:306
     let _e28 = of_2.surface.specular;
     let _e32 = sums.lobe;
     if ((_e28 > 0f) && (_e32 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:298
+        // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e38 = sums.lobe_spread;
         let _e40 = sums.lobe;
         let by_cells = (_e38 / _e40);
-        // glimt_render_gpu/src/kernels/proposal.rs:299
+        // glimt_render_gpu/src/kernels/proposal.rs:309
         let _e44 = sums.lobe_square;
         let _e46 = sums.lobe;
         let _e49 = sums.lobe_area;
         let _e51 = sums.lobe;
         let by_lobe = clamp((((_e44 / _e46) * (_e49 / _e51)) - 1f), 0.0001f, 1000000f);
-        // glimt_render_gpu/src/kernels/proposal.rs:301
+        // glimt_render_gpu/src/kernels/proposal.rs:311
         share = (by_lobe / (by_lobe + by_cells));
-        // glimt_render_gpu/src/kernels/proposal.rs:302
+        // glimt_render_gpu/src/kernels/proposal.rs:312
         let _e63 = share;
         if (_e63 > 0.9f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:303
+            // glimt_render_gpu/src/kernels/proposal.rs:313
             share = 1f;
         } else {
             let _e68 = share;
             if (_e68 < 0.1f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:305
+                // glimt_render_gpu/src/kernels/proposal.rs:315
                 share = 0f;
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:307
+        // glimt_render_gpu/src/kernels/proposal.rs:317
         let _e75 = sums.lobe;
         let _e78 = of_2.surface.specular;
         let a_6 = (_e75 * _e78);
-        // glimt_render_gpu/src/kernels/proposal.rs:308
+        // glimt_render_gpu/src/kernels/proposal.rs:318
         let _e82 = sums.lobe_visible;
         let _e84 = sums.lobe;
         let visible_1 = min((_e82 / _e84), 1f);
-        // glimt_render_gpu/src/kernels/proposal.rs:309
+        // glimt_render_gpu/src/kernels/proposal.rs:319
         let _e89 = share;
         if (_e89 < 1f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:310
+            // glimt_render_gpu/src/kernels/proposal.rs:320
             let _e94 = share;
             let _e96 = worth(a_6, visible_1, by_lobe);
             lobe_worth = ((1f - _e94) * _e96);
-            // glimt_render_gpu/src/kernels/proposal.rs:311
+            // glimt_render_gpu/src/kernels/proposal.rs:321
             let _e99 = share;
             of_2.surface.share = _e99;
-            // glimt_render_gpu/src/kernels/proposal.rs:312
+            // glimt_render_gpu/src/kernels/proposal.rs:322
             let _e103 = of_2;
             let _e104 = weigh(_e103, cells_size_4, cells_start_4, expected_from_1, expected_turned_1, is_catcher_2);
             sums = _e104;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:315
-    let _e108 = of_2.surface.specular;
-    let _e113 = of_2.surface.normal;
-    let _e116 = of_2.surface.wo;
-    if ((_e108 > 0f) && (dot(_e113, _e116) < 0.3f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:316
-        least_share = 0.1f;
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:318
-    defence = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:319
-    let _e128 = sums.live;
-    if (_e128 > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:320
-        let _e134 = sums.weight;
-        let _e137 = sums.live;
-        defence = ((0.001f * _e134) / _e137);
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:322
-    total = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:323
-    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:324
-    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:325
+    let _e107 = of_2.surface;
+    let _e108 = is_sharp(_e107);
+    if _e108 {
+        // glimt_render_gpu/src/kernels/proposal.rs:326
+        least_share = 0.2f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:328
+    defence = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:329
+    let _e116 = sums.live;
+    if (_e116 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:330
+        let _e122 = sums.weight;
+        let _e125 = sums.live;
+        defence = ((0.001f * _e122) / _e125);
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:332
+    total = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:333
+    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:334
+    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:335
     counter_7 = 0u;
     loop {
         let row_2 = counter_7;
         if (row_2 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:326
+        // glimt_render_gpu/src/kernels/proposal.rs:336
         of_row = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:327
+        // glimt_render_gpu/src/kernels/proposal.rs:337
         counter_8 = (row_2 * 8u);
         loop {
             let quad_8 = counter_8;
             if (quad_8 >= ((row_2 + 1u) * 8u)) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:328
-            let _e172 = sums.quads[quad_8];
-            let _e173 = defence;
-            let _e176 = sums.lives[quad_8];
-            let weight_2 = (_e172 + (_e173 * _e176));
-            // glimt_render_gpu/src/kernels/proposal.rs:329
+            // glimt_render_gpu/src/kernels/proposal.rs:338
+            let _e160 = sums.quads[quad_8];
+            let _e161 = defence;
+            let _e164 = sums.lives[quad_8];
+            let weight_2 = (_e160 + (_e161 * _e164));
+            // glimt_render_gpu/src/kernels/proposal.rs:339
             quads[quad_8] = weight_2;
-            // glimt_render_gpu/src/kernels/proposal.rs:330
-            let _e182 = of_row;
-            of_row = (_e182 + weight_2);
+            // glimt_render_gpu/src/kernels/proposal.rs:340
+            let _e170 = of_row;
+            of_row = (_e170 + weight_2);
             continuing {
-                let _e184 = counter_8;
-                counter_8 = (_e184 + 1u);
+                let _e172 = counter_8;
+                counter_8 = (_e172 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:332
-        let _e188 = of_row;
-        rows[row_2] = _e188;
-        // glimt_render_gpu/src/kernels/proposal.rs:333
-        let _e191 = of_row;
-        let _e192 = total;
-        total = (_e192 + _e191);
+        // glimt_render_gpu/src/kernels/proposal.rs:342
+        let _e176 = of_row;
+        rows[row_2] = _e176;
+        // glimt_render_gpu/src/kernels/proposal.rs:343
+        let _e179 = of_row;
+        let _e180 = total;
+        total = (_e180 + _e179);
         continuing {
-            let _e194 = counter_7;
-            counter_7 = (_e194 + 1u);
+            let _e182 = counter_7;
+            counter_7 = (_e182 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:335
-    let _e198 = total;
-    let _e199 = lobe_worth;
-    let all_ = (_e198 + _e199);
-    // glimt_render_gpu/src/kernels/proposal.rs:336
+    // glimt_render_gpu/src/kernels/proposal.rs:345
+    let _e186 = total;
+    let _e187 = lobe_worth;
+    let all_ = (_e186 + _e187);
+    // glimt_render_gpu/src/kernels/proposal.rs:346
     lobe_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:337
+    // glimt_render_gpu/src/kernels/proposal.rs:347
     if (all_ > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:338
-        let _e208 = lobe_worth;
-        let _e210 = least_share;
-        lobe_share = clamp((_e208 / all_), _e210, 0.95f);
-        // glimt_render_gpu/src/kernels/proposal.rs:339
-        let _e214 = total;
-        if !((_e214 > 0f)) {
-            // glimt_render_gpu/src/kernels/proposal.rs:340
+        // glimt_render_gpu/src/kernels/proposal.rs:348
+        let _e196 = lobe_worth;
+        let _e198 = least_share;
+        lobe_share = clamp((_e196 / all_), _e198, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:349
+        let _e202 = total;
+        if !((_e202 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:350
             lobe_share = 1f;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:343
-    let _e222 = of_2.diffuse;
-    let kd_1 = (_e222 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:344
-    let _e227 = first_5.diffuse;
-    let _e230 = of_2.specular;
-    let _e232 = first_5.specular;
-    let _e233 = share;
-    let _e238 = first_5.open_diffuse;
-    let _e241 = of_2.specular;
-    let _e243 = first_5.open_specular;
-    let _e244 = share;
-    let _e248 = of_2;
-    let _e249 = quads;
-    let _e250 = rows;
-    let _e251 = total;
-    let _e252 = defence;
-    let _e253 = lobe_worth;
-    let _e254 = lobe_share;
-    return Proposal(_e248, _e249, _e250, _e251, _e252, _e253, _e254, ((kd_1 * _e227) + (_e230 * (_e232 * _e233))), ((kd_1 * _e238) + (_e241 * (_e243 * _e244))), is_catcher_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:353
+    let _e210 = of_2.diffuse;
+    let kd_1 = (_e210 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:354
+    let _e215 = first_5.diffuse;
+    let _e218 = of_2.specular;
+    let _e220 = first_5.specular;
+    let _e221 = share;
+    let _e226 = first_5.open_diffuse;
+    let _e229 = of_2.specular;
+    let _e231 = first_5.open_specular;
+    let _e232 = share;
+    let _e236 = of_2;
+    let _e237 = quads;
+    let _e238 = rows;
+    let _e239 = total;
+    let _e240 = defence;
+    let _e241 = lobe_worth;
+    let _e242 = lobe_share;
+    return Proposal(_e236, _e237, _e238, _e239, _e240, _e241, _e242, ((kd_1 * _e215) + (_e218 * (_e220 * _e221))), ((kd_1 * _e226) + (_e229 * (_e231 * _e232))), is_catcher_2);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:105
@@ -2997,31 +3005,31 @@ fn PatternSource_next_uvec2_(this_36: ptr<function, PatternSource>) -> vec2<u32>
     return _e18;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:479
+// glimt_render_gpu/src/kernels/proposal.rs:498
 fn Place_new(target_: f32) -> Place {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:480
+    // glimt_render_gpu/src/kernels/proposal.rs:499
     return Place(target_, 0f, 0u, 0f, 0f, false);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:492
+// glimt_render_gpu/src/kernels/proposal.rs:511
 fn Place_offer(this_37: ptr<function, Place>, index_16: u32, width: f32) {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:493
+    // glimt_render_gpu/src/kernels/proposal.rs:512
     let _e8 = (*this_37).is_found;
     if ((width > 0f) && !(_e8)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:494
+        // glimt_render_gpu/src/kernels/proposal.rs:513
         (*this_37).index = index_16;
-        // glimt_render_gpu/src/kernels/proposal.rs:495
+        // glimt_render_gpu/src/kernels/proposal.rs:514
         let _e15 = (*this_37).sum;
         (*this_37).first = _e15;
-        // glimt_render_gpu/src/kernels/proposal.rs:496
+        // glimt_render_gpu/src/kernels/proposal.rs:515
         (*this_37).width = width;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:498
+    // glimt_render_gpu/src/kernels/proposal.rs:517
     let _e21 = (*this_37).sum;
     (*this_37).sum = (_e21 + width);
-    // glimt_render_gpu/src/kernels/proposal.rs:499
+    // glimt_render_gpu/src/kernels/proposal.rs:518
     let _e25 = (*this_37).is_found;
     let _e27 = (*this_37).sum;
     let _e29 = (*this_37).target_;
@@ -3029,16 +3037,16 @@ fn Place_offer(this_37: ptr<function, Place>, index_16: u32, width: f32) {
     return;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:505
+// glimt_render_gpu/src/kernels/proposal.rs:524
 fn Place_word(this_38: Place, whole: f32, fraction: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:506
+    // glimt_render_gpu/src/kernels/proposal.rs:525
     let unit = (whole * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/proposal.rs:507
+    // glimt_render_gpu/src/kernels/proposal.rs:526
     let fine = ((this_38.target_ - this_38.first) + (unit * (f32(fraction) * (1f / 65536f))));
-    // glimt_render_gpu/src/kernels/proposal.rs:508
+    // glimt_render_gpu/src/kernels/proposal.rs:527
     let place_3 = clamp((fine / max(this_38.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
-    // glimt_render_gpu/src/kernels/proposal.rs:509
+    // glimt_render_gpu/src/kernels/proposal.rs:528
     return ((u32((place_3 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
@@ -3321,14 +3329,14 @@ fn direction_in_texel(texel_1: vec2<u32>, size_12: vec2<u32>, r: vec2<f32>) -> v
     return vec3<f32>((sin_theta * _e90.x), (sin_theta * _e90.y), cos_theta);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:78
+// glimt_render_gpu/src/kernels/proposal.rs:81
 fn CellAt_new(lane: u32, weight: vec4<f32>, flux_4: vec4<f32>, terms_5: CellTerms, visibility_3: vec4<f32>) -> CellAt {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:79
+    // glimt_render_gpu/src/kernels/proposal.rs:82
     return CellAt(weight[lane], (flux_4 * terms_5.live)[lane], terms_5.cosine[lane], (terms_5.full[lane] > 0.5f), terms_5.lobe[lane], visibility_3[lane]);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:413
+// glimt_render_gpu/src/kernels/proposal.rs:432
 fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u32>, cells_start_5: u32, expected_from_2: u32, expected_turned_2: u32) -> CellDraw {
     var self_: Proposal;
     var row_place: Place;
@@ -3338,19 +3346,19 @@ fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     var cell_place: Place;
 
     self_ = this_39;
-    // glimt_render_gpu/src/kernels/proposal.rs:420
+    // glimt_render_gpu/src/kernels/proposal.rs:439
     let _e10 = unit_f32_(u_7.y);
     let _e12 = self_.total;
     let _e14 = Place_new((_e10 * _e12));
     row_place = _e14;
-    // glimt_render_gpu/src/kernels/proposal.rs:421
+    // glimt_render_gpu/src/kernels/proposal.rs:440
     counter_9 = 0u;
     loop {
         let row_5 = counter_9;
         if (row_5 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:422
+        // glimt_render_gpu/src/kernels/proposal.rs:441
         let _e25 = self_.rows[row_5];
         Place_offer((&row_place), row_5, _e25);
         continuing {
@@ -3358,24 +3366,24 @@ fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
             counter_9 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:424
+    // glimt_render_gpu/src/kernels/proposal.rs:443
     let _e31 = row_place.index;
     let first_10 = (_e31 * 8u);
-    // glimt_render_gpu/src/kernels/proposal.rs:425
+    // glimt_render_gpu/src/kernels/proposal.rs:444
     let _e36 = unit_f32_(u_7.x);
     let _e38 = row_place.width;
     let target_1 = (_e36 * _e38);
-    // glimt_render_gpu/src/kernels/proposal.rs:426
+    // glimt_render_gpu/src/kernels/proposal.rs:445
     let _e41 = Place_new(target_1);
     quad_place = _e41;
-    // glimt_render_gpu/src/kernels/proposal.rs:427
+    // glimt_render_gpu/src/kernels/proposal.rs:446
     counter_10 = first_10;
     loop {
         let quad_9 = counter_10;
         if (quad_9 >= (first_10 + 8u)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:428
+        // glimt_render_gpu/src/kernels/proposal.rs:447
         let _e52 = self_.quads[quad_9];
         Place_offer((&quad_place), quad_9, _e52);
         continuing {
@@ -3383,42 +3391,42 @@ fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
             counter_10 = (_e53 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:430
+    // glimt_render_gpu/src/kernels/proposal.rs:449
     let quad_10 = quad_place.index;
-    // glimt_render_gpu/src/kernels/proposal.rs:431
+    // glimt_render_gpu/src/kernels/proposal.rs:450
     let _e61 = LightCells_quad(cells_size_5, cells_start_5, 0u, quad_10);
-    // glimt_render_gpu/src/kernels/proposal.rs:432
+    // glimt_render_gpu/src/kernels/proposal.rs:451
     let _e65 = self_.of_.surface;
     let _e66 = LightCells_terms(cells_size_5, cells_start_5, _e65, quad_10);
-    // glimt_render_gpu/src/kernels/proposal.rs:433
+    // glimt_render_gpu/src/kernels/proposal.rs:452
     let _e68 = Remembered_quad(expected_from_2, expected_turned_2, quad_10);
-    // glimt_render_gpu/src/kernels/proposal.rs:434
-    let surface_4 = self_.of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:435
+    // glimt_render_gpu/src/kernels/proposal.rs:453
+    let surface_5 = self_.of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:454
     let _e75 = self_.is_catcher;
-    let _e76 = weights(surface_4, _e66, _e61, _e68, _e75);
-    // glimt_render_gpu/src/kernels/proposal.rs:436
+    let _e76 = weights(surface_5, _e66, _e61, _e68, _e75);
+    // glimt_render_gpu/src/kernels/proposal.rs:455
     let _e81 = self_.defence;
     let all_1 = (_e76 + ((_e61 * _e66.live) * _e81));
-    // glimt_render_gpu/src/kernels/proposal.rs:437
+    // glimt_render_gpu/src/kernels/proposal.rs:456
     let _e86 = quad_place.first;
     let _e87 = Place_new(target_1);
     cell_place = Place(_e87.target_, _e86, _e87.index, _e87.first, _e87.width, _e87.is_found);
-    // glimt_render_gpu/src/kernels/proposal.rs:441
+    // glimt_render_gpu/src/kernels/proposal.rs:460
     Place_offer((&cell_place), 0u, all_1.x);
-    // glimt_render_gpu/src/kernels/proposal.rs:442
+    // glimt_render_gpu/src/kernels/proposal.rs:461
     Place_offer((&cell_place), 1u, all_1.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:443
+    // glimt_render_gpu/src/kernels/proposal.rs:462
     Place_offer((&cell_place), 2u, all_1.z);
-    // glimt_render_gpu/src/kernels/proposal.rs:444
+    // glimt_render_gpu/src/kernels/proposal.rs:463
     Place_offer((&cell_place), 3u, all_1.w);
-    // glimt_render_gpu/src/kernels/proposal.rs:445
+    // glimt_render_gpu/src/kernels/proposal.rs:464
     let lane_1 = cell_place.index;
-    // glimt_render_gpu/src/kernels/proposal.rs:446
+    // glimt_render_gpu/src/kernels/proposal.rs:465
     let cell_5 = ((4u * quad_10) + lane_1);
-    // glimt_render_gpu/src/kernels/proposal.rs:447
+    // glimt_render_gpu/src/kernels/proposal.rs:466
     let _e117 = hash2_(u_7.x, u_7.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:448
+    // glimt_render_gpu/src/kernels/proposal.rs:467
     let _e119 = cell_place;
     let _e121 = row_place.width;
     let _e124 = Place_word(_e119, _e121, (_e117 & 65535u));
@@ -3426,13 +3434,13 @@ fn Proposal_sample_cells(this_39: Proposal, u_7: vec2<u32>, cells_size_5: vec2<u
     let _e127 = self_.total;
     let _e130 = Place_word(_e125, _e127, (_e117 >> 16u));
     let within = vec2<u32>(_e124, _e130);
-    // glimt_render_gpu/src/kernels/proposal.rs:452
+    // glimt_render_gpu/src/kernels/proposal.rs:471
     let _e133 = LightCells_sample(cells_size_5, cells_start_5, cell_5, within);
-    // glimt_render_gpu/src/kernels/proposal.rs:453
+    // glimt_render_gpu/src/kernels/proposal.rs:472
     let _e136 = hash2_(_e117, u_7.x);
-    // glimt_render_gpu/src/kernels/proposal.rs:454
+    // glimt_render_gpu/src/kernels/proposal.rs:473
     let place_4 = vec2<u32>((_e136 << 16u), (_e136 & 4294901760u));
-    // glimt_render_gpu/src/kernels/proposal.rs:455
+    // glimt_render_gpu/src/kernels/proposal.rs:474
     let _e145 = unit_vec2_(place_4);
     let _e146 = direction_in_texel(_e133.texel, cells_size_5, _e145);
     let _e148 = CellAt_new(lane_1, _e76, _e61, _e66, _e68);

@@ -935,23 +935,23 @@ fn CellSurface_product_weights(this_11: CellSurface, terms_3: CellTerms, flux_2:
     return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_11.diffuse)));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:253
+// glimt_render_gpu/src/kernels/proposal.rs:256
 fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
     var chosen_1: vec4<f32>;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:260
+    // glimt_render_gpu/src/kernels/proposal.rs:263
     if (true && is_catcher) {
-        // glimt_render_gpu/src/kernels/proposal.rs:261
+        // glimt_render_gpu/src/kernels/proposal.rs:264
         let _e11 = CellSurface_blocked_weights(surface_1, terms_4, flux_3, visibility_2);
         chosen = _e11;
     } else {
         if true {
-            // glimt_render_gpu/src/kernels/proposal.rs:263
+            // glimt_render_gpu/src/kernels/proposal.rs:266
             let _e15 = CellSurface_residual_weights(surface_1, terms_4, flux_3, visibility_2);
             chosen_1 = _e15;
         } else {
-            // glimt_render_gpu/src/kernels/proposal.rs:265
+            // glimt_render_gpu/src/kernels/proposal.rs:268
             let _e17 = CellSurface_product_weights(surface_1, terms_4, flux_3);
             chosen_1 = _e17;
         }
@@ -962,37 +962,37 @@ fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:151
+// glimt_render_gpu/src/kernels/proposal.rs:154
 fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:159
+    // glimt_render_gpu/src/kernels/proposal.rs:162
     let list_1 = (4u + (3u * channel));
-    // glimt_render_gpu/src/kernels/proposal.rs:160
+    // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
     let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
-    // glimt_render_gpu/src/kernels/proposal.rs:163
+    // glimt_render_gpu/src/kernels/proposal.rs:166
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
-    // glimt_render_gpu/src/kernels/proposal.rs:164
+    // glimt_render_gpu/src/kernels/proposal.rs:167
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:169
+// glimt_render_gpu/src/kernels/proposal.rs:172
 fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:170
+    // glimt_render_gpu/src/kernels/proposal.rs:173
     let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_3, full_1, cut_1);
     let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_3, full_1, cut_1);
     let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_3, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:179
+// glimt_render_gpu/src/kernels/proposal.rs:182
 fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:180
+    // glimt_render_gpu/src/kernels/proposal.rs:183
     let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_5);
     let _e8 = (_e7 * factors);
     let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_5);
@@ -1002,106 +1002,106 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factor
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:188
+// glimt_render_gpu/src/kernels/proposal.rs:191
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
     var t: Totals;
     var counter_4: u32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:194
-    let surface_2 = of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:195
-    let has_lobe = (surface_2.specular > 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:196
+    // glimt_render_gpu/src/kernels/proposal.rs:197
+    let surface_3 = of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:198
+    let has_lobe = (surface_3.specular > 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:199
     t = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/proposal.rs:211
+    // glimt_render_gpu/src/kernels/proposal.rs:214
     counter_4 = 0u;
     loop {
         let quad_6 = counter_4;
         if (quad_6 >= 128u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:212
+        // glimt_render_gpu/src/kernels/proposal.rs:215
         let _e43 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
-        // glimt_render_gpu/src/kernels/proposal.rs:213
-        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_6);
-        // glimt_render_gpu/src/kernels/proposal.rs:214
+        // glimt_render_gpu/src/kernels/proposal.rs:216
+        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:217
         let _e48 = (_e43 * _e45.live);
         let live = (((_e48.x + _e48.y) + _e48.z) + _e48.w);
-        // glimt_render_gpu/src/kernels/proposal.rs:216
+        // glimt_render_gpu/src/kernels/proposal.rs:219
         if (live > 0f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:217
-            let _e60 = Expected_quad(expected_first, expected_slot, quad_6);
-            // glimt_render_gpu/src/kernels/proposal.rs:218
-            let _e62 = weights(surface_2, _e45, _e43, _e60, is_catcher_1);
-            // glimt_render_gpu/src/kernels/proposal.rs:219
-            let weight_1 = (((_e62.x + _e62.y) + _e62.z) + _e62.w);
             // glimt_render_gpu/src/kernels/proposal.rs:220
+            let _e60 = Expected_quad(expected_first, expected_slot, quad_6);
+            // glimt_render_gpu/src/kernels/proposal.rs:221
+            let _e62 = weights(surface_3, _e45, _e43, _e60, is_catcher_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:222
+            let weight_1 = (((_e62.x + _e62.y) + _e62.z) + _e62.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:223
             if true {
-                // glimt_render_gpu/src/kernels/proposal.rs:221
+                // glimt_render_gpu/src/kernels/proposal.rs:224
                 let full_2 = (_e45.full * _e60);
-                // glimt_render_gpu/src/kernels/proposal.rs:222
+                // glimt_render_gpu/src/kernels/proposal.rs:225
                 let cut_2 = ((_e60 - full_2) * _e45.cosine);
-                // glimt_render_gpu/src/kernels/proposal.rs:223
+                // glimt_render_gpu/src/kernels/proposal.rs:226
                 let _e83 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
                 let _e84 = t.diffuse;
                 t.diffuse = (_e84 + _e83);
-                // glimt_render_gpu/src/kernels/proposal.rs:224
+                // glimt_render_gpu/src/kernels/proposal.rs:227
                 if is_catcher_1 {
-                    // glimt_render_gpu/src/kernels/proposal.rs:225
+                    // glimt_render_gpu/src/kernels/proposal.rs:228
                     let cut_3 = ((vec4(1f) - _e45.full) * _e45.cosine);
-                    // glimt_render_gpu/src/kernels/proposal.rs:226
+                    // glimt_render_gpu/src/kernels/proposal.rs:229
                     let _e97 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e45.full, cut_3);
-                    // glimt_render_gpu/src/kernels/proposal.rs:227
+                    // glimt_render_gpu/src/kernels/proposal.rs:230
                     let _e100 = t.open_diffuse;
                     t.open_diffuse = (_e100 + _e97);
-                    // glimt_render_gpu/src/kernels/proposal.rs:228
+                    // glimt_render_gpu/src/kernels/proposal.rs:231
                     let _e105 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e45.lobe);
                     let _e106 = t.open_specular;
                     t.open_specular = (_e106 + _e105);
                 }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:231
+            // glimt_render_gpu/src/kernels/proposal.rs:234
             if has_lobe {
-                // glimt_render_gpu/src/kernels/proposal.rs:232
+                // glimt_render_gpu/src/kernels/proposal.rs:235
                 let a_3 = (_e45.lobe * _e43);
-                // glimt_render_gpu/src/kernels/proposal.rs:233
+                // glimt_render_gpu/src/kernels/proposal.rs:236
                 let spread = ((a_3 * _e45.lobe_spread) * _e45.lobe_spread);
-                // glimt_render_gpu/src/kernels/proposal.rs:234
+                // glimt_render_gpu/src/kernels/proposal.rs:237
                 let _e126 = t.lobe;
                 t.lobe = (_e126 + (((a_3.x + a_3.y) + a_3.z) + a_3.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:235
+                // glimt_render_gpu/src/kernels/proposal.rs:238
                 let _e137 = t.lobe_spread;
                 t.lobe_spread = (_e137 + (((spread.x + spread.y) + spread.z) + spread.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:236
+                // glimt_render_gpu/src/kernels/proposal.rs:239
                 let _e140 = (a_3 * _e60);
                 let _e149 = t.lobe_visible;
                 t.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:237
+                // glimt_render_gpu/src/kernels/proposal.rs:240
                 let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
                 let _e155 = (_e45.lobe * _e154);
                 let _e164 = t.lobe_square;
                 t.lobe_square = (_e164 + (((_e155.x + _e155.y) + _e155.z) + _e155.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:238
+                // glimt_render_gpu/src/kernels/proposal.rs:241
                 let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
                 let _e170 = (_e45.lobe * _e169);
                 let _e179 = t.lobe_area;
                 t.lobe_area = (_e179 + (((_e170.x + _e170.y) + _e170.z) + _e170.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:239
+                // glimt_render_gpu/src/kernels/proposal.rs:242
                 if true {
-                    // glimt_render_gpu/src/kernels/proposal.rs:240
+                    // glimt_render_gpu/src/kernels/proposal.rs:243
                     let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e45.lobe * _e60));
                     let _e188 = t.specular;
                     t.specular = (_e188 + _e187);
                 }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:243
+            // glimt_render_gpu/src/kernels/proposal.rs:246
             t.quads[quad_6] = weight_1;
-            // glimt_render_gpu/src/kernels/proposal.rs:244
+            // glimt_render_gpu/src/kernels/proposal.rs:247
             t.lives[quad_6] = live;
-            // glimt_render_gpu/src/kernels/proposal.rs:245
+            // glimt_render_gpu/src/kernels/proposal.rs:248
             let _e198 = t.weight;
             t.weight = (_e198 + weight_1);
-            // glimt_render_gpu/src/kernels/proposal.rs:246
+            // glimt_render_gpu/src/kernels/proposal.rs:249
             let _e202 = t.live;
             t.live = (_e202 + live);
         }
@@ -1110,24 +1110,33 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
             counter_4 = (_e204 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:249
+    // glimt_render_gpu/src/kernels/proposal.rs:252
     let _e208 = t;
     return _e208;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:272
+// glimt_render_gpu/src/kernels/proposal.rs:275
 fn worth(a: f32, visible: f32, variance: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:273
+    // glimt_render_gpu/src/kernels/proposal.rs:276
     if true {
-        // glimt_render_gpu/src/kernels/proposal.rs:274
+        // glimt_render_gpu/src/kernels/proposal.rs:277
         return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:277
+    // glimt_render_gpu/src/kernels/proposal.rs:280
     return (a * sqrt((1f + (2f * variance))));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:284
+// glimt_render_gpu/src/kernels/proposal.rs:285
+fn is_sharp(surface_2: CellSurface) -> bool {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:286
+    let is_flat = (dot(surface_2.normal, surface_2.wo) < 0.3f);
+    // glimt_render_gpu/src/kernels/proposal.rs:287
+    return ((surface_2.specular > 0f) && (is_flat || (surface_2.exponent > 40f)));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:294
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
@@ -1144,179 +1153,178 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var counter_6: u32;
     var lobe_share: f32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:290
+    // glimt_render_gpu/src/kernels/proposal.rs:300
     of_2 = of_1;
-    // glimt_render_gpu/src/kernels/proposal.rs:291
+    // glimt_render_gpu/src/kernels/proposal.rs:301
     let _e10 = of_2;
     let _e11 = weigh(_e10, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
     sums = _e11;
-    // glimt_render_gpu/src/kernels/proposal.rs:292
+    // glimt_render_gpu/src/kernels/proposal.rs:302
     let _e14 = sums;
     first_3 = _e14;
-    // glimt_render_gpu/src/kernels/proposal.rs:293
+    // glimt_render_gpu/src/kernels/proposal.rs:303
     lobe_worth = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:294
+    // glimt_render_gpu/src/kernels/proposal.rs:304
     least_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:295
+    // glimt_render_gpu/src/kernels/proposal.rs:305
     share = 1f;
-    // glimt_render_gpu/src/kernels/proposal.rs:296
+    // glimt_render_gpu/src/kernels/proposal.rs:306
     let _e28 = of_2.surface.specular;
     let _e32 = sums.lobe;
     if ((_e28 > 0f) && (_e32 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:298
+        // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e38 = sums.lobe_spread;
         let _e40 = sums.lobe;
         let by_cells = (_e38 / _e40);
-        // glimt_render_gpu/src/kernels/proposal.rs:299
+        // glimt_render_gpu/src/kernels/proposal.rs:309
         let _e44 = sums.lobe_square;
         let _e46 = sums.lobe;
         let _e49 = sums.lobe_area;
         let _e51 = sums.lobe;
         let by_lobe = clamp((((_e44 / _e46) * (_e49 / _e51)) - 1f), 0.0001f, 1000000f);
-        // glimt_render_gpu/src/kernels/proposal.rs:301
+        // glimt_render_gpu/src/kernels/proposal.rs:311
         share = (by_lobe / (by_lobe + by_cells));
-        // glimt_render_gpu/src/kernels/proposal.rs:302
+        // glimt_render_gpu/src/kernels/proposal.rs:312
         let _e63 = share;
         if (_e63 > 0.9f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:303
+            // glimt_render_gpu/src/kernels/proposal.rs:313
             share = 1f;
         } else {
             let _e68 = share;
             if (_e68 < 0.1f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:305
+                // glimt_render_gpu/src/kernels/proposal.rs:315
                 share = 0f;
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:307
+        // glimt_render_gpu/src/kernels/proposal.rs:317
         let _e75 = sums.lobe;
         let _e78 = of_2.surface.specular;
         let a_4 = (_e75 * _e78);
-        // glimt_render_gpu/src/kernels/proposal.rs:308
+        // glimt_render_gpu/src/kernels/proposal.rs:318
         let _e82 = sums.lobe_visible;
         let _e84 = sums.lobe;
         let visible_1 = min((_e82 / _e84), 1f);
-        // glimt_render_gpu/src/kernels/proposal.rs:309
+        // glimt_render_gpu/src/kernels/proposal.rs:319
         let _e89 = share;
         if (_e89 < 1f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:310
+            // glimt_render_gpu/src/kernels/proposal.rs:320
             let _e94 = share;
             let _e96 = worth(a_4, visible_1, by_lobe);
             lobe_worth = ((1f - _e94) * _e96);
-            // glimt_render_gpu/src/kernels/proposal.rs:311
+            // glimt_render_gpu/src/kernels/proposal.rs:321
             let _e99 = share;
             of_2.surface.share = _e99;
-            // glimt_render_gpu/src/kernels/proposal.rs:312
+            // glimt_render_gpu/src/kernels/proposal.rs:322
             let _e103 = of_2;
             let _e104 = weigh(_e103, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
             sums = _e104;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:315
-    let _e108 = of_2.surface.specular;
-    let _e113 = of_2.surface.normal;
-    let _e116 = of_2.surface.wo;
-    if ((_e108 > 0f) && (dot(_e113, _e116) < 0.3f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:316
-        least_share = 0.1f;
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:318
-    defence = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:319
-    let _e128 = sums.live;
-    if (_e128 > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:320
-        let _e134 = sums.weight;
-        let _e137 = sums.live;
-        defence = ((0.001f * _e134) / _e137);
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:322
-    total = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:323
-    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:324
-    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:325
+    let _e107 = of_2.surface;
+    let _e108 = is_sharp(_e107);
+    if _e108 {
+        // glimt_render_gpu/src/kernels/proposal.rs:326
+        least_share = 0.2f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:328
+    defence = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:329
+    let _e116 = sums.live;
+    if (_e116 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:330
+        let _e122 = sums.weight;
+        let _e125 = sums.live;
+        defence = ((0.001f * _e122) / _e125);
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:332
+    total = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:333
+    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:334
+    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:335
     counter_5 = 0u;
     loop {
         let row_3 = counter_5;
         if (row_3 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:326
+        // glimt_render_gpu/src/kernels/proposal.rs:336
         of_row = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:327
+        // glimt_render_gpu/src/kernels/proposal.rs:337
         counter_6 = (row_3 * 8u);
         loop {
             let quad_7 = counter_6;
             if (quad_7 >= ((row_3 + 1u) * 8u)) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:328
-            let _e172 = sums.quads[quad_7];
-            let _e173 = defence;
-            let _e176 = sums.lives[quad_7];
-            let weight_2 = (_e172 + (_e173 * _e176));
-            // glimt_render_gpu/src/kernels/proposal.rs:329
+            // glimt_render_gpu/src/kernels/proposal.rs:338
+            let _e160 = sums.quads[quad_7];
+            let _e161 = defence;
+            let _e164 = sums.lives[quad_7];
+            let weight_2 = (_e160 + (_e161 * _e164));
+            // glimt_render_gpu/src/kernels/proposal.rs:339
             quads[quad_7] = weight_2;
-            // glimt_render_gpu/src/kernels/proposal.rs:330
-            let _e182 = of_row;
-            of_row = (_e182 + weight_2);
+            // glimt_render_gpu/src/kernels/proposal.rs:340
+            let _e170 = of_row;
+            of_row = (_e170 + weight_2);
             continuing {
-                let _e184 = counter_6;
-                counter_6 = (_e184 + 1u);
+                let _e172 = counter_6;
+                counter_6 = (_e172 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:332
-        let _e188 = of_row;
-        rows[row_3] = _e188;
-        // glimt_render_gpu/src/kernels/proposal.rs:333
-        let _e191 = of_row;
-        let _e192 = total;
-        total = (_e192 + _e191);
+        // glimt_render_gpu/src/kernels/proposal.rs:342
+        let _e176 = of_row;
+        rows[row_3] = _e176;
+        // glimt_render_gpu/src/kernels/proposal.rs:343
+        let _e179 = of_row;
+        let _e180 = total;
+        total = (_e180 + _e179);
         continuing {
-            let _e194 = counter_5;
-            counter_5 = (_e194 + 1u);
+            let _e182 = counter_5;
+            counter_5 = (_e182 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:335
-    let _e198 = total;
-    let _e199 = lobe_worth;
-    let all_ = (_e198 + _e199);
-    // glimt_render_gpu/src/kernels/proposal.rs:336
+    // glimt_render_gpu/src/kernels/proposal.rs:345
+    let _e186 = total;
+    let _e187 = lobe_worth;
+    let all_ = (_e186 + _e187);
+    // glimt_render_gpu/src/kernels/proposal.rs:346
     lobe_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:337
+    // glimt_render_gpu/src/kernels/proposal.rs:347
     if (all_ > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:338
-        let _e208 = lobe_worth;
-        let _e210 = least_share;
-        lobe_share = clamp((_e208 / all_), _e210, 0.95f);
-        // glimt_render_gpu/src/kernels/proposal.rs:339
-        let _e214 = total;
-        if !((_e214 > 0f)) {
-            // glimt_render_gpu/src/kernels/proposal.rs:340
+        // glimt_render_gpu/src/kernels/proposal.rs:348
+        let _e196 = lobe_worth;
+        let _e198 = least_share;
+        lobe_share = clamp((_e196 / all_), _e198, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:349
+        let _e202 = total;
+        if !((_e202 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:350
             lobe_share = 1f;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:343
-    let _e222 = of_2.diffuse;
-    let kd_1 = (_e222 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:344
-    let _e227 = first_3.diffuse;
-    let _e230 = of_2.specular;
-    let _e232 = first_3.specular;
-    let _e233 = share;
-    let _e238 = first_3.open_diffuse;
-    let _e241 = of_2.specular;
-    let _e243 = first_3.open_specular;
-    let _e244 = share;
-    let _e248 = of_2;
-    let _e249 = quads;
-    let _e250 = rows;
-    let _e251 = total;
-    let _e252 = defence;
-    let _e253 = lobe_worth;
-    let _e254 = lobe_share;
-    return Proposal(_e248, _e249, _e250, _e251, _e252, _e253, _e254, ((kd_1 * _e227) + (_e230 * (_e232 * _e233))), ((kd_1 * _e238) + (_e241 * (_e243 * _e244))), is_catcher_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:353
+    let _e210 = of_2.diffuse;
+    let kd_1 = (_e210 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:354
+    let _e215 = first_3.diffuse;
+    let _e218 = of_2.specular;
+    let _e220 = first_3.specular;
+    let _e221 = share;
+    let _e226 = first_3.open_diffuse;
+    let _e229 = of_2.specular;
+    let _e231 = first_3.open_specular;
+    let _e232 = share;
+    let _e236 = of_2;
+    let _e237 = quads;
+    let _e238 = rows;
+    let _e239 = total;
+    let _e240 = defence;
+    let _e241 = lobe_worth;
+    let _e242 = lobe_share;
+    return Proposal(_e236, _e237, _e238, _e239, _e240, _e241, _e242, ((kd_1 * _e215) + (_e218 * (_e220 * _e221))), ((kd_1 * _e226) + (_e229 * (_e231 * _e232))), is_catcher_2);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -1814,48 +1822,62 @@ fn unit_f32_(u: u32) -> f32 {
     return (f32((u >> 8u)) * (1f / 16777216f));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:361
+// glimt_render_gpu/src/kernels/proposal.rs:381
 fn Proposal_is_sharp(this_18: Proposal) -> bool {
     var self_: Proposal;
 
     self_ = this_18;
-    // glimt_render_gpu/src/kernels/proposal.rs:362
-    let surface_3 = self_.of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:363
-    return ((surface_3.specular > 0f) && (dot(surface_3.normal, surface_3.wo) < 0.3f));
+    // glimt_render_gpu/src/kernels/proposal.rs:382
+    let _e6 = self_.of_.surface;
+    let _e7 = is_sharp(_e6);
+    return _e7;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:371
+fn Proposal_round_share(this_19: ptr<function, Proposal>, count: u32) {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:372
+    let _e5 = (*this_19).lobe_share;
+    let lobes_1 = floor(((_e5 * f32(count)) + 0.5f));
+    // glimt_render_gpu/src/kernels/proposal.rs:373
+    if ((lobes_1 > 0f) && (lobes_1 < f32(count))) {
+        // glimt_render_gpu/src/kernels/proposal.rs:374
+        (*this_19).lobe_share = (lobes_1 / f32(count));
+    }
+    return;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:146
-fn PixelPattern_key(this_19: PixelPattern, purpose_3: u32) -> u32 {
+fn PixelPattern_key(this_20: PixelPattern, purpose_3: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:147
-    let _e5 = hash2_(this_19.seed, purpose_3);
-    let _e8 = hash3_(_e5, this_19.frame, this_19.pixel);
+    let _e5 = hash2_(this_20.seed, purpose_3);
+    let _e8 = hash3_(_e5, this_20.frame, this_20.pixel);
     return _e8;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PixelPattern_ray_key(this_20: PixelPattern, purpose_4: u32) -> u32 {
+fn PixelPattern_ray_key(this_21: PixelPattern, purpose_4: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e4 = PixelPattern_key(this_20, purpose_4);
-    let _e6 = hash2_(_e4, this_20.ray);
+    let _e4 = PixelPattern_key(this_21, purpose_4);
+    let _e6 = hash2_(_e4, this_21.ray);
     return _e6;
 }
 
 // glimt_sampling/src/sobol.rs:191
-fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_22: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:192
-    let _e4 = (*this_21).dimension;
+    let _e4 = (*this_22).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:193
-    (*this_21).dimension = (dimension_4 + 2u);
+    (*this_22).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:194
-    let _e15 = (*this_21).seed;
+    let _e15 = (*this_22).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
     // glimt_sampling/src/sobol.rs:195
-    let _e21 = (*this_21).index;
+    let _e21 = (*this_22).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:196
     let _e24 = sobol_reversed(_e22, dimension_4);
@@ -1866,25 +1888,25 @@ fn OwenSobol_next_uvec2_(this_21: ptr<function, OwenSobol>) -> vec2<u32> {
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_22: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_22);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_22);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_23);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:116
-fn PixelPattern_point_triple(this_23: PixelPattern, purpose_5: u32, index_9: u32) -> vec3<u32> {
+fn PixelPattern_point_triple(this_24: PixelPattern, purpose_5: u32, index_9: u32) -> vec3<u32> {
     var point_1: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:117
-    if (this_23.kind == 0u) {
+    if (this_24.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:118
-        let _e9 = PixelPattern_sobol_point(this_23, purpose_5, index_9);
+        let _e9 = PixelPattern_sobol_point(this_24, purpose_5, index_9);
         point_1 = _e9;
         // glimt_render_gpu/src/kernels/pattern.rs:119
         let _e12 = OwenSobol_next_uvec2_((&point_1));
@@ -1893,7 +1915,7 @@ fn PixelPattern_point_triple(this_23: PixelPattern, purpose_5: u32, index_9: u32
         return vec3<u32>(_e12, _e14);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:122
-    let _e17 = PixelPattern_generator(this_23, purpose_5, index_9);
+    let _e17 = PixelPattern_generator(this_24, purpose_5, index_9);
     generator = _e17;
     // glimt_render_gpu/src/kernels/pattern.rs:123
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&generator));
@@ -1911,13 +1933,13 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:164
+// glimt_render_gpu/src/kernels/group_light.rs:165
 fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, threshold_1: f32, group: Group, word_1: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:165
+    // glimt_render_gpu/src/kernels/group_light.rs:166
     let _e6 = unit_f32_(word_1);
     let k_3 = u32((_e6 * f32(group.members)));
-    // glimt_render_gpu/src/kernels/group_light.rs:166
+    // glimt_render_gpu/src/kernels/group_light.rs:167
     let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
     return _e16;
 }
@@ -1936,20 +1958,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_24: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_25: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_1, this_24.t), dot(v_1, this_24.b), dot(v_1, this_24.n));
+    return vec3<f32>(dot(v_1, this_25.t), dot(v_1, this_25.b), dot(v_1, this_25.n));
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:99
-fn SeenPoint_shading_point(this_25: SeenPoint) -> ShadingPoint {
+fn SeenPoint_shading_point(this_26: SeenPoint) -> ShadingPoint {
 
     // glimt_render_gpu/src/kernels/seen.rs:100
-    let _e4 = ShadingFrame_from_normal(this_25.normal);
+    let _e4 = ShadingFrame_from_normal(this_26.normal);
     // glimt_render_gpu/src/kernels/seen.rs:101
-    let _e9 = ShadingFrame_to_local(_e4, this_25.wo);
-    return ShadingPoint(this_25.origin, this_25.geometric_normal, _e4, _e9, BlinnPhong(this_25.diffuse, this_25.specular, this_25.exponent), this_25.emission);
+    let _e9 = ShadingFrame_to_local(_e4, this_26.wo);
+    return ShadingPoint(this_26.origin, this_26.geometric_normal, _e4, _e9, BlinnPhong(this_26.diffuse, this_26.specular, this_26.exponent), this_26.emission);
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:73
@@ -1960,13 +1982,13 @@ fn lobe_of(point_2: ShadingPoint) -> BlinnPhong {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_26: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
     var chosen_5: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_26.specular);
+    let _e4 = luminance(this_27.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_26.diffuse);
+    let _e7 = luminance(this_27.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
@@ -2185,23 +2207,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_27: HalfVector, exponent_7: f32) -> f32 {
+fn HalfVector_lobe(this_28: HalfVector, exponent_7: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_27.cos2_theta, this_27.sin2_theta, exponent_7);
+    let _e6 = cosine_power(this_28.cos2_theta, this_28.sin2_theta, exponent_7);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_28: HalfVector, exponent_8: f32) -> f32 {
+fn HalfVector_pdf_sr(this_29: HalfVector, exponent_8: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_28, exponent_8);
-    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_28.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_29, exponent_8);
+    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_29.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_3.z <= 0f) || (wi_1.z <= 0f)) {
@@ -2211,7 +2233,7 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_29);
+    let _e17 = BlinnPhong_pmf_specular(this_30);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2219,21 +2241,21 @@ fn BlinnPhong_pdf_sr(this_29: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_3, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_29.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_30.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_30: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_31: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_10: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_30);
+    let _e8 = BlinnPhong_pmf_specular(this_31);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_30.exponent);
+        let _e12 = sample_power_cosine(u_5, this_31.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_10 = (((2f * dot(wo_4, h)) * h) - wo_4);
@@ -2244,15 +2266,15 @@ fn BlinnPhong_sample(this_30: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_4 = chosen_10;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_30, wo_4, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_31, wo_4, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_31: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_32: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_31.t * v_2.x) + (this_31.b * v_2.y)) + (this_31.n * v_2.z));
+    return (((this_32.t * v_2.x) + (this_32.b * v_2.y)) + (this_32.n * v_2.z));
 }
 
 // glimt_probe/src/latlong.rs:45
@@ -2367,108 +2389,108 @@ fn LightCells_cell_of(size_6: vec2<u32>, start_3: u32, texel: vec2<u32>) -> u32 
     return ((row_4 * 32u) + _e14);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:78
+// glimt_render_gpu/src/kernels/proposal.rs:81
 fn CellAt_new(lane: u32, weight: vec4<f32>, flux_4: vec4<f32>, terms_5: CellTerms, visibility_3: vec4<f32>) -> CellAt {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:79
+    // glimt_render_gpu/src/kernels/proposal.rs:82
     return CellAt(weight[lane], (flux_4 * terms_5.live)[lane], terms_5.cosine[lane], (terms_5.full[lane] > 0.5f), terms_5.lobe[lane], visibility_3[lane]);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:369
-fn Proposal_cell(this_32: Proposal, cell: u32, cells_size_6: vec2<u32>, cells_start_6: u32, expected_first_2: u32, expected_slot_2: u32) -> CellAt {
+// glimt_render_gpu/src/kernels/proposal.rs:388
+fn Proposal_cell(this_33: Proposal, cell: u32, cells_size_6: vec2<u32>, cells_start_6: u32, expected_first_2: u32, expected_slot_2: u32) -> CellAt {
     var self_1: Proposal;
 
-    self_1 = this_32;
-    // glimt_render_gpu/src/kernels/proposal.rs:370
+    self_1 = this_33;
+    // glimt_render_gpu/src/kernels/proposal.rs:389
     let quad_8 = (cell / 4u);
-    // glimt_render_gpu/src/kernels/proposal.rs:371
+    // glimt_render_gpu/src/kernels/proposal.rs:390
     let _e13 = LightCells_quad(cells_size_6, cells_start_6, 0u, quad_8);
-    // glimt_render_gpu/src/kernels/proposal.rs:372
+    // glimt_render_gpu/src/kernels/proposal.rs:391
     let _e17 = self_1.of_.surface;
     let _e18 = LightCells_terms(cells_size_6, cells_start_6, _e17, quad_8);
-    // glimt_render_gpu/src/kernels/proposal.rs:373
+    // glimt_render_gpu/src/kernels/proposal.rs:392
     let _e20 = Expected_quad(expected_first_2, expected_slot_2, quad_8);
-    // glimt_render_gpu/src/kernels/proposal.rs:374
+    // glimt_render_gpu/src/kernels/proposal.rs:393
     let _e24 = self_1.of_.surface;
     let _e26 = self_1.is_catcher;
     let _e27 = weights(_e24, _e18, _e13, _e20, _e26);
-    // glimt_render_gpu/src/kernels/proposal.rs:375
+    // glimt_render_gpu/src/kernels/proposal.rs:394
     let _e31 = CellAt_new((cell % 4u), _e27, _e13, _e18, _e20);
     return _e31;
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:193
+// glimt_render_gpu/src/kernels/group_light.rs:194
 fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_2: f32, group_1: Group, proposal: Proposal, expected_first_3: u32, expected_slot_3: u32, index_10: u32, points_start_4: u32, points_len_4: u32) -> Look {
     var proposal_1: Proposal;
 
     proposal_1 = proposal;
-    // glimt_render_gpu/src/kernels/group_light.rs:201
-    let _e18 = PixelPattern_point_triple(pattern_1, 11u, index_10);
     // glimt_render_gpu/src/kernels/group_light.rs:202
-    let _e21 = unit_vec2_(_e18.xy);
+    let _e18 = PixelPattern_point_triple(pattern_1, 11u, index_10);
     // glimt_render_gpu/src/kernels/group_light.rs:203
-    let _e24 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_2, group_1, _e18.z, points_start_4, points_len_4);
+    let _e21 = unit_vec2_(_e18.xy);
     // glimt_render_gpu/src/kernels/group_light.rs:204
+    let _e24 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_2, group_1, _e18.z, points_start_4, points_len_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:205
     let _e29 = points[(points_start_4 + _e24)];
     let _e30 = SeenPoint_shading_point(_e29);
-    // glimt_render_gpu/src/kernels/group_light.rs:205
+    // glimt_render_gpu/src/kernels/group_light.rs:206
     let _e32 = lobe_of(_e30);
     let _e35 = BlinnPhong_sample(_e32, _e30.wo, 0u, _e21);
-    // glimt_render_gpu/src/kernels/group_light.rs:206
-    let _e39 = ShadingFrame_to_world(_e30.frame, _e35.wi);
     // glimt_render_gpu/src/kernels/group_light.rs:207
-    let _e41 = Environment_texel(env_size_2, env_rotation_2, _e39);
+    let _e39 = ShadingFrame_to_world(_e30.frame, _e35.wi);
     // glimt_render_gpu/src/kernels/group_light.rs:208
-    let _e43 = LightCells_cell_of(cells_size_7, cells_start_7, _e41);
+    let _e41 = Environment_texel(env_size_2, env_rotation_2, _e39);
     // glimt_render_gpu/src/kernels/group_light.rs:209
+    let _e43 = LightCells_cell_of(cells_size_7, cells_start_7, _e41);
+    // glimt_render_gpu/src/kernels/group_light.rs:210
     let _e45 = Environment_to_map(env_size_2, env_rotation_2, _e39);
     let _e46 = proposal_1;
     let _e47 = Proposal_cell(_e46, _e43, cells_size_7, cells_start_7, expected_first_3, expected_slot_3);
     return Look(_e45, _e39, _e41, _e47, _e43, _e24, (_e35.pdf_sr > 0f));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:479
+// glimt_render_gpu/src/kernels/proposal.rs:498
 fn Place_new(target_: f32) -> Place {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:480
+    // glimt_render_gpu/src/kernels/proposal.rs:499
     return Place(target_, 0f, 0u, 0f, 0f, false);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:492
-fn Place_offer(this_33: ptr<function, Place>, index_11: u32, width_1: f32) {
+// glimt_render_gpu/src/kernels/proposal.rs:511
+fn Place_offer(this_34: ptr<function, Place>, index_11: u32, width_1: f32) {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:493
-    let _e8 = (*this_33).is_found;
+    // glimt_render_gpu/src/kernels/proposal.rs:512
+    let _e8 = (*this_34).is_found;
     if ((width_1 > 0f) && !(_e8)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:494
-        (*this_33).index = index_11;
-        // glimt_render_gpu/src/kernels/proposal.rs:495
-        let _e15 = (*this_33).sum;
-        (*this_33).first = _e15;
-        // glimt_render_gpu/src/kernels/proposal.rs:496
-        (*this_33).width = width_1;
+        // glimt_render_gpu/src/kernels/proposal.rs:513
+        (*this_34).index = index_11;
+        // glimt_render_gpu/src/kernels/proposal.rs:514
+        let _e15 = (*this_34).sum;
+        (*this_34).first = _e15;
+        // glimt_render_gpu/src/kernels/proposal.rs:515
+        (*this_34).width = width_1;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:498
-    let _e21 = (*this_33).sum;
-    (*this_33).sum = (_e21 + width_1);
-    // glimt_render_gpu/src/kernels/proposal.rs:499
-    let _e25 = (*this_33).is_found;
-    let _e27 = (*this_33).sum;
-    let _e29 = (*this_33).target_;
-    (*this_33).is_found = (_e25 || (_e27 > _e29));
+    // glimt_render_gpu/src/kernels/proposal.rs:517
+    let _e21 = (*this_34).sum;
+    (*this_34).sum = (_e21 + width_1);
+    // glimt_render_gpu/src/kernels/proposal.rs:518
+    let _e25 = (*this_34).is_found;
+    let _e27 = (*this_34).sum;
+    let _e29 = (*this_34).target_;
+    (*this_34).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:505
-fn Place_word(this_34: Place, whole: f32, fraction: u32) -> u32 {
+// glimt_render_gpu/src/kernels/proposal.rs:524
+fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:506
+    // glimt_render_gpu/src/kernels/proposal.rs:525
     let unit_1 = (whole * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/proposal.rs:507
-    let fine = ((this_34.target_ - this_34.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
-    // glimt_render_gpu/src/kernels/proposal.rs:508
-    let place_2 = clamp((fine / max(this_34.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
-    // glimt_render_gpu/src/kernels/proposal.rs:509
+    // glimt_render_gpu/src/kernels/proposal.rs:526
+    let fine = ((this_35.target_ - this_35.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
+    // glimt_render_gpu/src/kernels/proposal.rs:527
+    let place_2 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    // glimt_render_gpu/src/kernels/proposal.rs:528
     return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
@@ -2711,8 +2733,8 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:413
-fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_first_4: u32, expected_slot_4: u32) -> CellDraw {
+// glimt_render_gpu/src/kernels/proposal.rs:432
+fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_first_4: u32, expected_slot_4: u32) -> CellDraw {
     var self_2: Proposal;
     var row_place: Place;
     var counter_9: u32;
@@ -2720,20 +2742,20 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     var counter_10: u32;
     var cell_place: Place;
 
-    self_2 = this_35;
-    // glimt_render_gpu/src/kernels/proposal.rs:420
+    self_2 = this_36;
+    // glimt_render_gpu/src/kernels/proposal.rs:439
     let _e10 = unit_f32_(u_9.y);
     let _e12 = self_2.total;
     let _e14 = Place_new((_e10 * _e12));
     row_place = _e14;
-    // glimt_render_gpu/src/kernels/proposal.rs:421
+    // glimt_render_gpu/src/kernels/proposal.rs:440
     counter_9 = 0u;
     loop {
         let row_7 = counter_9;
         if (row_7 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:422
+        // glimt_render_gpu/src/kernels/proposal.rs:441
         let _e25 = self_2.rows[row_7];
         Place_offer((&row_place), row_7, _e25);
         continuing {
@@ -2741,24 +2763,24 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
             counter_9 = (_e26 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:424
+    // glimt_render_gpu/src/kernels/proposal.rs:443
     let _e31 = row_place.index;
     let first_9 = (_e31 * 8u);
-    // glimt_render_gpu/src/kernels/proposal.rs:425
+    // glimt_render_gpu/src/kernels/proposal.rs:444
     let _e36 = unit_f32_(u_9.x);
     let _e38 = row_place.width;
     let target_1 = (_e36 * _e38);
-    // glimt_render_gpu/src/kernels/proposal.rs:426
+    // glimt_render_gpu/src/kernels/proposal.rs:445
     let _e41 = Place_new(target_1);
     quad_place = _e41;
-    // glimt_render_gpu/src/kernels/proposal.rs:427
+    // glimt_render_gpu/src/kernels/proposal.rs:446
     counter_10 = first_9;
     loop {
         let quad_9 = counter_10;
         if (quad_9 >= (first_9 + 8u)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:428
+        // glimt_render_gpu/src/kernels/proposal.rs:447
         let _e52 = self_2.quads[quad_9];
         Place_offer((&quad_place), quad_9, _e52);
         continuing {
@@ -2766,42 +2788,42 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
             counter_10 = (_e53 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:430
+    // glimt_render_gpu/src/kernels/proposal.rs:449
     let quad_10 = quad_place.index;
-    // glimt_render_gpu/src/kernels/proposal.rs:431
+    // glimt_render_gpu/src/kernels/proposal.rs:450
     let _e61 = LightCells_quad(cells_size_8, cells_start_8, 0u, quad_10);
-    // glimt_render_gpu/src/kernels/proposal.rs:432
+    // glimt_render_gpu/src/kernels/proposal.rs:451
     let _e65 = self_2.of_.surface;
     let _e66 = LightCells_terms(cells_size_8, cells_start_8, _e65, quad_10);
-    // glimt_render_gpu/src/kernels/proposal.rs:433
+    // glimt_render_gpu/src/kernels/proposal.rs:452
     let _e68 = Expected_quad(expected_first_4, expected_slot_4, quad_10);
-    // glimt_render_gpu/src/kernels/proposal.rs:434
+    // glimt_render_gpu/src/kernels/proposal.rs:453
     let surface_4 = self_2.of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:435
+    // glimt_render_gpu/src/kernels/proposal.rs:454
     let _e75 = self_2.is_catcher;
     let _e76 = weights(surface_4, _e66, _e61, _e68, _e75);
-    // glimt_render_gpu/src/kernels/proposal.rs:436
+    // glimt_render_gpu/src/kernels/proposal.rs:455
     let _e81 = self_2.defence;
     let all_1 = (_e76 + ((_e61 * _e66.live) * _e81));
-    // glimt_render_gpu/src/kernels/proposal.rs:437
+    // glimt_render_gpu/src/kernels/proposal.rs:456
     let _e86 = quad_place.first;
     let _e87 = Place_new(target_1);
     cell_place = Place(_e87.target_, _e86, _e87.index, _e87.first, _e87.width, _e87.is_found);
-    // glimt_render_gpu/src/kernels/proposal.rs:441
+    // glimt_render_gpu/src/kernels/proposal.rs:460
     Place_offer((&cell_place), 0u, all_1.x);
-    // glimt_render_gpu/src/kernels/proposal.rs:442
+    // glimt_render_gpu/src/kernels/proposal.rs:461
     Place_offer((&cell_place), 1u, all_1.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:443
+    // glimt_render_gpu/src/kernels/proposal.rs:462
     Place_offer((&cell_place), 2u, all_1.z);
-    // glimt_render_gpu/src/kernels/proposal.rs:444
+    // glimt_render_gpu/src/kernels/proposal.rs:463
     Place_offer((&cell_place), 3u, all_1.w);
-    // glimt_render_gpu/src/kernels/proposal.rs:445
+    // glimt_render_gpu/src/kernels/proposal.rs:464
     let lane_1 = cell_place.index;
-    // glimt_render_gpu/src/kernels/proposal.rs:446
+    // glimt_render_gpu/src/kernels/proposal.rs:465
     let cell_6 = ((4u * quad_10) + lane_1);
-    // glimt_render_gpu/src/kernels/proposal.rs:447
+    // glimt_render_gpu/src/kernels/proposal.rs:466
     let _e117 = hash2_(u_9.x, u_9.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:448
+    // glimt_render_gpu/src/kernels/proposal.rs:467
     let _e119 = cell_place;
     let _e121 = row_place.width;
     let _e124 = Place_word(_e119, _e121, (_e117 & 65535u));
@@ -2809,32 +2831,32 @@ fn Proposal_sample_cells(this_35: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     let _e127 = self_2.total;
     let _e130 = Place_word(_e125, _e127, (_e117 >> 16u));
     let within = vec2<u32>(_e124, _e130);
-    // glimt_render_gpu/src/kernels/proposal.rs:452
+    // glimt_render_gpu/src/kernels/proposal.rs:471
     let _e133 = LightCells_sample(cells_size_8, cells_start_8, cell_6, within);
-    // glimt_render_gpu/src/kernels/proposal.rs:453
+    // glimt_render_gpu/src/kernels/proposal.rs:472
     let _e136 = hash2_(_e117, u_9.x);
-    // glimt_render_gpu/src/kernels/proposal.rs:454
+    // glimt_render_gpu/src/kernels/proposal.rs:473
     let place_3 = vec2<u32>((_e136 << 16u), (_e136 & 4294901760u));
-    // glimt_render_gpu/src/kernels/proposal.rs:455
+    // glimt_render_gpu/src/kernels/proposal.rs:474
     let _e145 = unit_vec2_(place_3);
     let _e146 = direction_in_texel(_e133.texel, cells_size_8, _e145);
     let _e148 = CellAt_new(lane_1, _e76, _e61, _e66, _e68);
     return CellDraw(_e148, _e146, _e133.texel, cell_6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:170
+// glimt_render_gpu/src/kernels/group_light.rs:171
 fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_3: f32, group_2: Group, proposal_2: Proposal, expected_first_5: u32, expected_slot_5: u32, index_12: u32, points_start_5: u32, points_len_5: u32) -> Look {
     var proposal_3: Proposal;
 
     proposal_3 = proposal_2;
-    // glimt_render_gpu/src/kernels/group_light.rs:178
-    let _e18 = PixelPattern_point_triple(pattern_2, 10u, index_12);
     // glimt_render_gpu/src/kernels/group_light.rs:179
-    let _e21 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_3, group_2, _e18.z, points_start_5, points_len_5);
+    let _e18 = PixelPattern_point_triple(pattern_2, 10u, index_12);
     // glimt_render_gpu/src/kernels/group_light.rs:180
+    let _e21 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_3, group_2, _e18.z, points_start_5, points_len_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:181
     let _e23 = proposal_3;
     let _e25 = Proposal_sample_cells(_e23, _e18.xy, cells_size_9, cells_start_9, expected_first_5, expected_slot_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:181
+    // glimt_render_gpu/src/kernels/group_light.rs:182
     let _e29 = rotate_z(_e25.direction, env_rotation_3);
     return Look(_e25.direction, _e29, _e25.texel, _e25.at, _e25.cell, _e21, true);
 }
@@ -2877,25 +2899,25 @@ fn texel_solid_angle_sr(row_2: u32, size_15: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_24.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:381
-fn Proposal_cells_pdf_sr(this_36: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
+// glimt_render_gpu/src/kernels/proposal.rs:400
+fn Proposal_cells_pdf_sr(this_37: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
     var self_3: Proposal;
 
-    self_3 = this_36;
-    // glimt_render_gpu/src/kernels/proposal.rs:388
+    self_3 = this_37;
+    // glimt_render_gpu/src/kernels/proposal.rs:407
     let _e10 = self_3.total;
     if !((_e10 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:389
+        // glimt_render_gpu/src/kernels/proposal.rs:408
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:391
+    // glimt_render_gpu/src/kernels/proposal.rs:410
     let _e19 = self_3.defence;
     let weight_3 = (at_2.weight + (_e19 * at_2.live));
-    // glimt_render_gpu/src/kernels/proposal.rs:392
+    // glimt_render_gpu/src/kernels/proposal.rs:411
     let _e25 = self_3.total;
     let _e27 = LightCells_pmf_in_cell(cells_size_10, cells_start_10, texel_4, cell_4);
     let pmf = ((weight_3 / _e25) * _e27);
-    // glimt_render_gpu/src/kernels/proposal.rs:393
+    // glimt_render_gpu/src/kernels/proposal.rs:412
     let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_10);
     return (pmf / _e31);
 }
@@ -2909,7 +2931,7 @@ fn Environment_radiance(size_16: vec2<u32>, rotation_3: vec2<f32>, texel_5: vec2
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_37: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_38: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_5.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2917,19 +2939,19 @@ fn BlinnPhong_eval(this_37: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse_3 = (this_37.diffuse * 0.31830987f);
+    let diffuse_3 = (this_38.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_37.specular.x, this_37.specular.y), this_37.specular.z) <= 0f) {
+    if (max(max(this_38.specular.x, this_38.specular.y), this_38.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse_3;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_37.exponent);
+    let _e31 = normalisation(this_38.exponent);
     let _e32 = HalfVector_new(wo_5, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_37.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_38.exponent);
     let lobe_2 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse_3 + (this_37.specular * lobe_2));
+    return (diffuse_3 + (this_38.specular * lobe_2));
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:82
@@ -3090,10 +3112,10 @@ fn intersect(triangle_1: Triangle, ray_4: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:99
-fn Triangle_is_see_through(this_38: Triangle) -> bool {
+fn Triangle_is_see_through(this_39: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:100
-    return ((this_38.object & 1073741824u) != 0u);
+    return ((this_39.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:210
@@ -3174,10 +3196,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_3: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_39: TextureView) -> bool {
+fn TextureView_exists(this_40: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_39.width > 0u);
+    return (this_40.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -3222,11 +3244,11 @@ fn neighbour(index_14: i32, size_17: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_40: TextureView, index_15: u32) -> vec4<f32> {
+fn TextureView_texel(this_41: TextureView, index_15: u32) -> vec4<f32> {
     var chosen_19: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_6 = scene_surface[(this_40.first + index_15)];
+    let word_6 = scene_surface[(this_41.first + index_15)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_3 = (word_6 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -3236,7 +3258,7 @@ fn TextureView_texel(this_40: TextureView, index_15: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_6 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_40.flags & 1u) != 0u) {
+    if ((this_41.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_3];
         let _e42 = scene_surface[g];
@@ -3251,40 +3273,40 @@ fn TextureView_texel(this_40: TextureView, index_15: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_41: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_42: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_41.flags >> 1u) & 3u);
+    let wrap_u = ((this_42.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_41.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_42.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_16 = ((_e21 * f32(this_41.width)) - 0.5f);
+    let x_16 = ((_e21 * f32(this_42.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_7 = ((_e29 * f32(this_41.height)) - 0.5f);
+    let y_7 = ((_e29 * f32(this_42.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_16), floor(y_7));
     let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left_2), this_41.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_42.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left_2) + 1i), this_41.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_42.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_41.height, wrap_v);
-    let row0_ = (_e54 * this_41.width);
+    let _e54 = neighbour(i32(top), this_42.height, wrap_v);
+    let row0_ = (_e54 * this_42.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_41.height, wrap_v);
-    let row1_ = (_e62 * this_41.width);
+    let _e62 = neighbour((i32(top) + 1i), this_42.height, wrap_v);
+    let row1_ = (_e62 * this_42.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_41, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_41, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_42, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_42, (row0_ + _e50));
     let _e70 = (x_16 - left_2);
     let upper_1 = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_41, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_41, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_42, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_42, (row1_ + _e50));
     let _e81 = (x_16 - left_2);
     let lower_2 = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -3388,62 +3410,62 @@ fn is_passed(index_17: u32, triangle_4: Triangle, ray_6: Ray) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:85
-fn Triangle_is_catcher(this_42: Triangle) -> bool {
+fn Triangle_is_catcher(this_43: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:86
-    return ((this_42.object & 2147483648u) != 0u);
+    return ((this_43.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:71
-fn Triangle_b(this_43: Triangle) -> vec3<f32> {
+fn Triangle_b(this_44: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:72
-    return vec3<f32>(this_43.x.y, this_43.y.y, this_43.z.y);
+    return vec3<f32>(this_44.x.y, this_44.y.y, this_44.z.y);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:64
-fn Triangle_a(this_44: Triangle) -> vec3<f32> {
+fn Triangle_a(this_45: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:65
-    return vec3<f32>(this_44.x.x, this_44.y.x, this_44.z.x);
+    return vec3<f32>(this_45.x.x, this_45.y.x, this_45.z.x);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:78
-fn Triangle_c(this_45: Triangle) -> vec3<f32> {
+fn Triangle_c(this_46: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:79
-    return vec3<f32>(this_45.x.z, this_45.y.z, this_45.z.z);
+    return vec3<f32>(this_46.x.z, this_46.y.z, this_46.z.z);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:140
-fn Triangle_area_normal(this_46: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_47: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:141
-    let _e3 = Triangle_b(this_46);
-    let _e4 = Triangle_a(this_46);
-    let _e6 = Triangle_c(this_46);
-    let _e7 = Triangle_a(this_46);
+    let _e3 = Triangle_b(this_47);
+    let _e4 = Triangle_a(this_47);
+    let _e6 = Triangle_c(this_47);
+    let _e7 = Triangle_a(this_47);
     return cross((_e3 - _e4), (_e6 - _e7));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:106
-fn Triangle_ray_offset(this_47: Triangle) -> f32 {
+fn Triangle_ray_offset(this_48: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:107
-    let extent = max(max(abs(this_47.x), abs(this_47.y)), abs(this_47.z));
+    let extent = max(max(abs(this_48.x), abs(this_48.y)), abs(this_48.z));
     // glimt_render_gpu/src/kernels/triangle.rs:108
     return (0.0000038146973f * max(max(max(extent.x, extent.y), extent.z), extent.w));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:114
-fn Triangle_setback(this_48: Triangle, ray_7: Ray, t_1: f32) -> f32 {
+fn Triangle_setback(this_49: Triangle, ray_7: Ray, t_1: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:115
-    let _e5 = Triangle_area_normal(this_48);
+    let _e5 = Triangle_area_normal(this_49);
     // glimt_render_gpu/src/kernels/triangle.rs:116
     let across = abs(dot(_e5, ray_7.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:117
-    let _e12 = Triangle_ray_offset(this_48);
+    let _e12 = Triangle_ray_offset(this_49);
     let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_7.direction, ray_7.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:122
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t_1);
@@ -3694,31 +3716,31 @@ fn Scene_is_lit(point_4: ShadingPoint, direction_7: vec3<f32>, key_2: u32) -> bo
     return !(_e9);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:399
-fn Proposal_open_control(this_49: Proposal, direction_8: vec3<f32>, at_4: CellAt) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/proposal.rs:418
+fn Proposal_open_control(this_50: Proposal, direction_8: vec3<f32>, at_4: CellAt) -> vec3<f32> {
     var self_4: Proposal;
     var chosen_21: f32;
 
-    self_4 = this_49;
-    // glimt_render_gpu/src/kernels/proposal.rs:400
+    self_4 = this_50;
+    // glimt_render_gpu/src/kernels/proposal.rs:419
     if at_4.is_full {
-        // glimt_render_gpu/src/kernels/proposal.rs:401
+        // glimt_render_gpu/src/kernels/proposal.rs:420
         let _e11 = self_4.of_.mean_normal;
         chosen_21 = dot(_e11, direction_8);
     } else {
-        // glimt_render_gpu/src/kernels/proposal.rs:403
+        // glimt_render_gpu/src/kernels/proposal.rs:422
         chosen_21 = at_4.cosine;
     }
     let cosine_1 = chosen_21;
-    // glimt_render_gpu/src/kernels/proposal.rs:405
+    // glimt_render_gpu/src/kernels/proposal.rs:424
     let _e19 = self_4.of_.diffuse;
     let kd_2 = (_e19 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:406
+    // glimt_render_gpu/src/kernels/proposal.rs:425
     let _e26 = self_4.of_.specular;
     return ((kd_2 * cosine_1) + (_e26 * at_4.lobe));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:276
+// glimt_render_gpu/src/kernels/group_light.rs:277
 fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_4: f32, group_3: Group, proposal_4: Proposal, look: Look, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
     var proposal_5: Proposal;
     var diffuse_1: vec3<f32>;
@@ -3732,40 +3754,40 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     var counter_14: u32;
 
     proposal_5 = proposal_4;
-    // glimt_render_gpu/src/kernels/group_light.rs:283
+    // glimt_render_gpu/src/kernels/group_light.rs:284
     if (group_3.members < 2u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:284
+        // glimt_render_gpu/src/kernels/group_light.rs:285
         return vec3(0f);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:286
-    let of_3 = proposal_5.of_;
     // glimt_render_gpu/src/kernels/group_light.rs:287
-    let spread_1 = of_3.surface.spread;
+    let of_3 = proposal_5.of_;
     // glimt_render_gpu/src/kernels/group_light.rs:288
+    let spread_1 = of_3.surface.spread;
+    // glimt_render_gpu/src/kernels/group_light.rs:289
     let _e27 = proposal_5.lobe_share;
     let with_lobes = (((of_3.surface.specular > 0f) && !((_e27 > 0f))) && (spread_1 > 0.001f));
-    // glimt_render_gpu/src/kernels/group_light.rs:289
+    // glimt_render_gpu/src/kernels/group_light.rs:290
     if !((with_lobes || (spread_1 > 0.035f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:290
-        let normal_5 = points[(points_start_6 + look.ray)].normal;
         // glimt_render_gpu/src/kernels/group_light.rs:291
-        let apart_1 = (dot(of_3.mean_normal, look.of_map) - dot(normal_5, look.direction));
+        let normal_5 = points[(points_start_6 + look.ray)].normal;
         // glimt_render_gpu/src/kernels/group_light.rs:292
+        let apart_1 = (dot(of_3.mean_normal, look.of_map) - dot(normal_5, look.direction));
+        // glimt_render_gpu/src/kernels/group_light.rs:293
         return (of_3.diffuse * (0.31830987f * apart_1));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:294
-    let half_3 = (look.of_map + of_3.surface.wo);
     // glimt_render_gpu/src/kernels/group_light.rs:295
-    let _e70 = rotate_z((half_3 / vec3(max(length(half_3), 0.000001f))), env_rotation_4);
+    let half_3 = (look.of_map + of_3.surface.wo);
     // glimt_render_gpu/src/kernels/group_light.rs:296
-    diffuse_1 = vec3(0f);
+    let _e70 = rotate_z((half_3 / vec3(max(length(half_3), 0.000001f))), env_rotation_4);
     // glimt_render_gpu/src/kernels/group_light.rs:297
-    lobes = 0f;
+    diffuse_1 = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:298
-    own_diffuse = vec3(0f);
+    lobes = 0f;
     // glimt_render_gpu/src/kernels/group_light.rs:299
-    own_lobe = 0f;
+    own_diffuse = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:300
+    own_lobe = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:301
     let _e89 = (group_3.members / 4u);
     counter_13 = 0u;
     loop {
@@ -3773,41 +3795,41 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
         if (quad_11 >= select(_e89, (_e89 + 1u), ((group_3.members % 4u) != 0u))) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:301
-        cosines = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:302
-        halves = array<f32, 4>(0f, 0f, 0f, 0f);
+        cosines = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:303
-        is_own = array<f32, 4>(0f, 0f, 0f, 0f);
+        halves = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:304
+        is_own = array<f32, 4>(0f, 0f, 0f, 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:305
         counter_14 = 0u;
         loop {
             let lane_2 = counter_14;
             if (lane_2 >= 4u) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/group_light.rs:305
-            let k_4 = ((4u * quad_11) + lane_2);
             // glimt_render_gpu/src/kernels/group_light.rs:306
+            let k_4 = ((4u * quad_11) + lane_2);
+            // glimt_render_gpu/src/kernels/group_light.rs:307
             if (k_4 < group_3.members) {
-                // glimt_render_gpu/src/kernels/group_light.rs:307
-                let _e125 = Group_ray(group_3, k_4, points_start_6, points_len_6);
                 // glimt_render_gpu/src/kernels/group_light.rs:308
-                let other = points[(points_start_6 + _e125)];
+                let _e125 = Group_ray(group_3, k_4, points_start_6, points_len_6);
                 // glimt_render_gpu/src/kernels/group_light.rs:309
-                let cosine_2 = max(dot(other.normal, look.direction), 0f);
+                let other = points[(points_start_6 + _e125)];
                 // glimt_render_gpu/src/kernels/group_light.rs:310
-                cosines[lane_2] = cosine_2;
+                let cosine_2 = max(dot(other.normal, look.direction), 0f);
                 // glimt_render_gpu/src/kernels/group_light.rs:311
-                halves[lane_2] = max(dot(other.normal, _e70), 0f);
+                cosines[lane_2] = cosine_2;
                 // glimt_render_gpu/src/kernels/group_light.rs:312
+                halves[lane_2] = max(dot(other.normal, _e70), 0f);
+                // glimt_render_gpu/src/kernels/group_light.rs:313
                 let _e148 = diffuse_1;
                 diffuse_1 = (_e148 + (other.diffuse * cosine_2));
-                // glimt_render_gpu/src/kernels/group_light.rs:313
+                // glimt_render_gpu/src/kernels/group_light.rs:314
                 if (_e125 == look.ray) {
-                    // glimt_render_gpu/src/kernels/group_light.rs:314
-                    own_diffuse = (other.diffuse * cosine_2);
                     // glimt_render_gpu/src/kernels/group_light.rs:315
+                    own_diffuse = (other.diffuse * cosine_2);
+                    // glimt_render_gpu/src/kernels/group_light.rs:316
                     is_own[lane_2] = 1f;
                 }
             }
@@ -3816,33 +3838,33 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
                 counter_14 = (_e159 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:319
+        // glimt_render_gpu/src/kernels/group_light.rs:320
         if with_lobes {
-            // glimt_render_gpu/src/kernels/group_light.rs:320
+            // glimt_render_gpu/src/kernels/group_light.rs:321
             let _e165 = cosines[0];
             let _e167 = cosines[1];
             let _e169 = cosines[2];
             let _e171 = cosines[3];
             let cosine_3 = vec4<f32>(_e165, _e167, _e169, _e171);
-            // glimt_render_gpu/src/kernels/group_light.rs:321
+            // glimt_render_gpu/src/kernels/group_light.rs:322
             let _e175 = halves[0];
             let _e177 = halves[1];
             let _e179 = halves[2];
             let _e181 = halves[3];
             let half_4 = vec4<f32>(_e175, _e177, _e179, _e181);
-            // glimt_render_gpu/src/kernels/group_light.rs:322
+            // glimt_render_gpu/src/kernels/group_light.rs:323
             let _e185 = is_own[0];
             let _e187 = is_own[1];
             let _e189 = is_own[2];
             let _e191 = is_own[3];
             let own_1 = vec4<f32>(_e185, _e187, _e189, _e191);
-            // glimt_render_gpu/src/kernels/group_light.rs:323
-            let _e200 = cosine_power4_((vec4(1f) - (half_4 * half_4)), vec4(of_3.exponent));
             // glimt_render_gpu/src/kernels/group_light.rs:324
+            let _e200 = cosine_power4_((vec4(1f) - (half_4 * half_4)), vec4(of_3.exponent));
+            // glimt_render_gpu/src/kernels/group_light.rs:325
             let _e202 = (_e200 * cosine_3);
             let _e210 = lobes;
             lobes = (_e210 + (((_e202.x + _e202.y) + _e202.z) + _e202.w));
-            // glimt_render_gpu/src/kernels/group_light.rs:325
+            // glimt_render_gpu/src/kernels/group_light.rs:326
             let _e214 = ((_e200 * cosine_3) * own_1);
             let _e222 = own_lobe;
             own_lobe = (_e222 + (((_e214.x + _e214.y) + _e214.z) + _e214.w));
@@ -3852,9 +3874,9 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
             counter_13 = (_e224 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:328
-    let share_2 = (1f / f32(group_3.members));
     // glimt_render_gpu/src/kernels/group_light.rs:329
+    let share_2 = (1f / f32(group_3.members));
+    // glimt_render_gpu/src/kernels/group_light.rs:330
     let _e233 = diffuse_1;
     let _e235 = own_diffuse;
     let _e241 = lobes;
@@ -3862,7 +3884,7 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     return ((((_e233 * share_2) - _e235) * 0.31830987f) + (of_3.specular * (of_3.peak * ((_e241 * share_2) - _e243))));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:222
+// glimt_render_gpu/src/kernels/group_light.rs:223
 fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_5: f32, group_4: Group, proposal_6: Proposal, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
     var proposal_7: Proposal;
     var pdf_sr: f32;
@@ -3871,86 +3893,86 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     var blocked: vec3<f32>;
 
     proposal_7 = proposal_6;
-    // glimt_render_gpu/src/kernels/group_light.rs:230
+    // glimt_render_gpu/src/kernels/group_light.rs:231
     let _e20 = points[(points_start_7 + look_1.ray)];
     let _e21 = SeenPoint_shading_point(_e20);
-    // glimt_render_gpu/src/kernels/group_light.rs:231
-    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
     // glimt_render_gpu/src/kernels/group_light.rs:232
-    let at_9 = look_1.at;
+    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
     // glimt_render_gpu/src/kernels/group_light.rs:233
-    let share_3 = proposal_7.lobe_share;
+    let at_9 = look_1.at;
     // glimt_render_gpu/src/kernels/group_light.rs:234
-    pdf_sr = 0f;
+    let share_3 = proposal_7.lobe_share;
     // glimt_render_gpu/src/kernels/group_light.rs:235
+    pdf_sr = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:236
     if (share_3 < 1f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:236
+        // glimt_render_gpu/src/kernels/group_light.rs:237
         let _e38 = proposal_7;
         let _e41 = Proposal_cells_pdf_sr(_e38, look_1.texel, look_1.cell, at_9, cells_size_12, cells_start_12);
-        // glimt_render_gpu/src/kernels/group_light.rs:237
+        // glimt_render_gpu/src/kernels/group_light.rs:238
         pdf_sr = ((1f - share_3) * _e41);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:239
+    // glimt_render_gpu/src/kernels/group_light.rs:240
     if (share_3 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:240
+        // glimt_render_gpu/src/kernels/group_light.rs:241
         let _e50 = lobe_of(_e21);
         let _e52 = BlinnPhong_pdf_sr(_e50, _e21.wo, _e25);
         let _e54 = pdf_sr;
         pdf_sr = (_e54 + (share_3 * _e52));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:242
+    // glimt_render_gpu/src/kernels/group_light.rs:243
     let _e57 = pdf_sr;
     if !((_e57 > 0.000000000000000000000000000000000000011754944f)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:243
+        // glimt_render_gpu/src/kernels/group_light.rs:244
         return Reflected(vec3(0f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:245
-    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
     // glimt_render_gpu/src/kernels/group_light.rs:246
-    let _e71 = reflectance(_e21, _e25);
+    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
     // glimt_render_gpu/src/kernels/group_light.rs:247
-    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    let _e71 = reflectance(_e21, _e25);
     // glimt_render_gpu/src/kernels/group_light.rs:248
+    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:249
     both_3 = is_seen;
     if is_seen {
         let _e89 = Scene_is_lit(_e21, look_1.direction, key_3);
         both_3 = _e89;
     }
     let arrives = both_3;
-    // glimt_render_gpu/src/kernels/group_light.rs:249
-    lit = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:250
-    blocked = vec3(0f);
+    lit = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:251
+    blocked = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:252
     if arrives {
-        // glimt_render_gpu/src/kernels/group_light.rs:252
+        // glimt_render_gpu/src/kernels/group_light.rs:253
         lit = _e71;
     } else {
         if is_seen {
-            // glimt_render_gpu/src/kernels/group_light.rs:254
+            // glimt_render_gpu/src/kernels/group_light.rs:255
             blocked = _e71;
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:256
+    // glimt_render_gpu/src/kernels/group_light.rs:257
     if true {
-        // glimt_render_gpu/src/kernels/group_light.rs:257
+        // glimt_render_gpu/src/kernels/group_light.rs:258
         let _e105 = proposal_7;
         let _e107 = Proposal_open_control(_e105, look_1.of_map, at_9);
-        // glimt_render_gpu/src/kernels/group_light.rs:258
+        // glimt_render_gpu/src/kernels/group_light.rs:259
         let _e109 = proposal_7;
         let _e110 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_5, group_4, _e109, look_1, points_start_7, points_len_7);
-        // glimt_render_gpu/src/kernels/group_light.rs:259
+        // glimt_render_gpu/src/kernels/group_light.rs:260
         let _e113 = proposal_7.is_catcher;
         if _e113 {
-            // glimt_render_gpu/src/kernels/group_light.rs:260
+            // glimt_render_gpu/src/kernels/group_light.rs:261
             lit = ((_e71 - _e107) + _e110);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:262
+            // glimt_render_gpu/src/kernels/group_light.rs:263
             let _e121 = lit;
             lit = (_e121 + ((_e110 - _e107) * at_9.visibility));
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:266
+    // glimt_render_gpu/src/kernels/group_light.rs:267
     let _e124 = lit;
     let _e125 = pdf_sr;
     let _e129 = blocked;
@@ -4022,105 +4044,107 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
     let _e91 = worth_1;
     let _e92 = PatternSource_next_u32_((&source));
     let _e93 = unit_f32_(_e92);
-    let count_2 = u32((_e91 + _e93));
+    let count_3 = u32((_e91 + _e93));
     // glimt_render_gpu/src/kernels/group_light.rs:123
-    let _e98 = worth_1;
-    if (_e98 < 1f) {
-        let _e101 = worth_1;
-        chosen_22 = _e101;
+    Proposal_round_share((&proposal_8), count_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:124
+    let _e99 = worth_1;
+    if (_e99 < 1f) {
+        let _e102 = worth_1;
+        chosen_22 = _e102;
     } else {
-        chosen_22 = f32(count_2);
+        chosen_22 = f32(count_3);
     }
     let divisor = chosen_22;
-    // glimt_render_gpu/src/kernels/group_light.rs:124
-    let _e106 = PixelPattern_ray_key(pattern_5, 9u);
-    let _e107 = hash2_(_e106, number);
     // glimt_render_gpu/src/kernels/group_light.rs:125
-    lit_1 = vec3(0f);
+    let _e107 = PixelPattern_ray_key(pattern_5, 9u);
+    let _e108 = hash2_(_e107, number);
     // glimt_render_gpu/src/kernels/group_light.rs:126
-    blocked_1 = vec3(0f);
+    lit_1 = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:127
+    blocked_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:128
     counter_15 = 0u;
     loop {
         let s_4 = counter_15;
-        if (s_4 >= count_2) {
+        if (s_4 >= count_3) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:128
-        let _e124 = proposal_8.lobe_share;
-        let before = u32(((f32(s_4) * _e124) + _e41));
         // glimt_render_gpu/src/kernels/group_light.rs:129
-        let _e133 = proposal_8.lobe_share;
-        let after = u32(((f32((s_4 + 1u)) * _e133) + _e41));
+        let _e125 = proposal_8.lobe_share;
+        let before = u32(((f32(s_4) * _e125) + _e41));
         // glimt_render_gpu/src/kernels/group_light.rs:130
+        let _e134 = proposal_8.lobe_share;
+        let after = u32(((f32((s_4 + 1u)) * _e134) + _e41));
+        // glimt_render_gpu/src/kernels/group_light.rs:131
         if (after > before) {
-            // glimt_render_gpu/src/kernels/group_light.rs:131
-            let _e143 = (*drawn).lobes;
-            (*drawn).lobes = (_e143 + 1u);
             // glimt_render_gpu/src/kernels/group_light.rs:132
-            let _e146 = proposal_8;
-            let _e148 = (*drawn).lobes;
-            let _e151 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, _e146, _e27.value_first, _e27.value_slot, (_e148 - 1u), points_start_8, points_len_8);
-            chosen_23 = _e151;
+            let _e144 = (*drawn).lobes;
+            (*drawn).lobes = (_e144 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:133
+            let _e147 = proposal_8;
+            let _e149 = (*drawn).lobes;
+            let _e152 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, _e147, _e27.value_first, _e27.value_slot, (_e149 - 1u), points_start_8, points_len_8);
+            chosen_23 = _e152;
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:134
-            let _e155 = (*drawn).cells;
-            (*drawn).cells = (_e155 + 1u);
             // glimt_render_gpu/src/kernels/group_light.rs:135
-            let _e158 = proposal_8;
-            let _e160 = (*drawn).cells;
-            let _e163 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, _e158, _e27.value_first, _e27.value_slot, (_e160 - 1u), points_start_8, points_len_8);
-            chosen_23 = _e163;
+            let _e156 = (*drawn).cells;
+            (*drawn).cells = (_e156 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:136
+            let _e159 = proposal_8;
+            let _e161 = (*drawn).cells;
+            let _e164 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, _e159, _e27.value_first, _e27.value_slot, (_e161 - 1u), points_start_8, points_len_8);
+            chosen_23 = _e164;
         }
         let look_2 = chosen_23;
-        // glimt_render_gpu/src/kernels/group_light.rs:137
+        // glimt_render_gpu/src/kernels/group_light.rs:138
         if look_2.is_possible {
-            // glimt_render_gpu/src/kernels/group_light.rs:138
-            let own_2 = (_e107 + s_4);
             // glimt_render_gpu/src/kernels/group_light.rs:139
-            let _e170 = proposal_8;
-            let _e171 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, _e170, look_2, own_2, points_start_8, points_len_8);
+            let own_2 = (_e108 + s_4);
             // glimt_render_gpu/src/kernels/group_light.rs:140
-            let _e174 = lit_1;
-            lit_1 = (_e174 + _e171.lit);
+            let _e171 = proposal_8;
+            let _e172 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_6, group_5, _e171, look_2, own_2, points_start_8, points_len_8);
             // glimt_render_gpu/src/kernels/group_light.rs:141
-            let _e178 = blocked_1;
-            blocked_1 = (_e178 + _e171.blocked);
+            let _e175 = lit_1;
+            lit_1 = (_e175 + _e172.lit);
+            // glimt_render_gpu/src/kernels/group_light.rs:142
+            let _e179 = blocked_1;
+            blocked_1 = (_e179 + _e172.blocked);
         }
         continuing {
-            let _e180 = counter_15;
-            counter_15 = (_e180 + 1u);
+            let _e181 = counter_15;
+            counter_15 = (_e181 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:144
-    points[(points_start_8 + _e19)].shadow_rays = count_2;
     // glimt_render_gpu/src/kernels/group_light.rs:145
-    let _e190 = proposal_8.total;
-    let _e192 = proposal_8.lobe_worth;
-    points[(points_start_8 + _e19)].residual = ((_e190 + _e192) * share_4);
+    points[(points_start_8 + _e19)].shadow_rays = count_3;
     // glimt_render_gpu/src/kernels/group_light.rs:146
-    if (count_2 > 0u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:147
-        let _e203 = lit_1;
-        lit_1 = (_e203 / vec3(divisor));
+    let _e191 = proposal_8.total;
+    let _e193 = proposal_8.lobe_worth;
+    points[(points_start_8 + _e19)].residual = ((_e191 + _e193) * share_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:147
+    if (count_3 > 0u) {
         // glimt_render_gpu/src/kernels/group_light.rs:148
-        let _e207 = blocked_1;
-        blocked_1 = (_e207 / vec3(divisor));
+        let _e204 = lit_1;
+        lit_1 = (_e204 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:149
+        let _e208 = blocked_1;
+        blocked_1 = (_e208 / vec3(divisor));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:150
+    // glimt_render_gpu/src/kernels/group_light.rs:151
     if (true && _e31) {
-        // glimt_render_gpu/src/kernels/group_light.rs:152
-        let _e215 = proposal_8.open_integral;
-        let _e216 = lit_1;
-        let _e218 = blocked_1;
-        let _e220 = blocked_1;
-        return Reflected(((_e215 + _e216) - _e218), _e220);
+        // glimt_render_gpu/src/kernels/group_light.rs:153
+        let _e216 = proposal_8.open_integral;
+        let _e217 = lit_1;
+        let _e219 = blocked_1;
+        let _e221 = blocked_1;
+        return Reflected(((_e216 + _e217) - _e219), _e221);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:157
-    let _e224 = proposal_8.integral;
-    let _e225 = lit_1;
-    let _e227 = blocked_1;
-    return Reflected((_e224 + _e225), _e227);
+    // glimt_render_gpu/src/kernels/group_light.rs:158
+    let _e225 = proposal_8.integral;
+    let _e226 = lit_1;
+    let _e228 = blocked_1;
+    return Reflected((_e225 + _e226), _e228);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:25
@@ -4189,23 +4213,23 @@ fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:212
-fn stratum(cell_5: u32, count: u32, jitter: u32) -> u32 {
+fn stratum(cell_5: u32, count_1: u32, jitter: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:213
-    return ((cell_5 * (4294967295u / count)) + (jitter / count));
+    return ((cell_5 * (4294967295u / count_1)) + (jitter / count_1));
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:192
-fn jittered_pair(index_20: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
+fn jittered_pair(index_20: u32, count_2: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/pattern.rs:193
-    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    let columns = max(u32(sqrt(f32(count_2))), 1u);
     // glimt_render_gpu/src/kernels/pattern.rs:194
-    let _e12 = (count_1 / columns);
-    let rows_2 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    let _e12 = (count_2 / columns);
+    let rows_2 = select(_e12, (_e12 + 1u), ((count_2 % columns) != 0u));
     // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_5, 1u);
-    let _e22 = permute(index_20, count_1, _e21);
+    let _e22 = permute(index_20, count_2, _e21);
     // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_5, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
@@ -4214,71 +4238,71 @@ fn jittered_pair(index_20: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -
     let _e32 = permute((_e22 / columns), rows_2, _e31);
     // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows_2) + _e32), (columns * rows_2), jitter_1.x);
-    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    let _e40 = stratum(_e22, count_2, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_50: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_51: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_22 = ((this_50.ray * samples) + sample);
+    let index_22 = ((this_51.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
-    if (this_50.kind == 0u) {
+    if (this_51.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_50, purpose_6, index_22);
+        let _e14 = PixelPattern_sobol_point(this_51, purpose_6, index_22);
         borrowed_2 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_2));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_50, purpose_6, index_22);
+    let _e18 = PixelPattern_generator(this_51, purpose_6, index_22);
     borrowed_3 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    if (this_50.kind == 1u) {
+    if (this_51.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_50, purpose_6);
-    let _e30 = jittered_pair(index_22, (this_50.rays * samples), _e20, _e29);
+    let _e29 = PixelPattern_key(this_51, purpose_6);
+    let _e30 = jittered_pair(index_22, (this_51.rays * samples), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_51: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_52: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
     let x_17 = (((2f * p.x) / f32(size_18.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
     let y_8 = (((2f * p.y) / f32(size_18.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_51.forward + (this_51.right * x_17)) - (this_51.up * y_8)));
+    return normalize(((this_52.forward + (this_52.right * x_17)) - (this_52.up * y_8)));
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:161
-fn FrameParams_direction(this_52: FrameParams, pixel_4: u32, place_1: vec2<f32>) -> vec3<f32> {
+fn FrameParams_direction(this_53: FrameParams, pixel_4: u32, place_1: vec2<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/frame.rs:162
-    let corner = vec2<f32>(vec2<u32>((pixel_4 % this_52.width), (pixel_4 / this_52.width)));
+    let corner = vec2<f32>(vec2<u32>((pixel_4 % this_53.width), (pixel_4 / this_53.width)));
     // glimt_render_gpu/src/kernels/frame.rs:163
-    let view = CameraView(this_52.eye, this_52.forward, this_52.right, this_52.up);
+    let view = CameraView(this_53.eye, this_53.forward, this_53.right, this_53.up);
     // glimt_render_gpu/src/kernels/frame.rs:169
-    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_52.width, this_52.height));
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_53.width, this_53.height));
     return _e22;
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:144
-fn FrameParams_camera_ray(this_53: FrameParams, pattern_6: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_54: FrameParams, pattern_6: PixelPattern) -> Ray {
     var chosen_24: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
-    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_53.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
+    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_54.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
-    if (this_53.filter_ == 1u) {
+    if (this_54.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
         chosen_24 = vec2(0.5f);
     } else {
@@ -4289,10 +4313,10 @@ fn FrameParams_camera_ray(this_53: FrameParams, pattern_6: PixelPattern) -> Ray 
     }
     let place_4 = chosen_24;
     // glimt_render_gpu/src/kernels/frame.rs:154
-    let _e28 = FrameParams_direction(this_53, pattern_6.pixel, place_4);
+    let _e28 = FrameParams_direction(this_54, pattern_6.pixel, place_4);
     // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_53.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_54.eye, _e28, _e32);
     return _e33;
 }
 

@@ -667,10 +667,10 @@ fn SeenPoint_slot(this_5: SeenPoint) -> u32 {
     return (this_5.flags >> 2u);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:48
+// glimt_render_gpu/src/kernels/proposal.rs:51
 fn Unknown_at_slot(this_6: Unknown, _slot: u32) -> Unknown {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:49
+    // glimt_render_gpu/src/kernels/proposal.rs:52
     return Unknown();
 }
 
@@ -809,10 +809,10 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:53
+// glimt_render_gpu/src/kernels/proposal.rs:56
 fn Unknown_quad(this_8: Unknown, _quad: u32) -> vec4<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:54
+    // glimt_render_gpu/src/kernels/proposal.rs:57
     return vec4(0f);
 }
 
@@ -865,23 +865,23 @@ fn CellSurface_product_weights(this_12: CellSurface, terms_3: CellTerms, flux_2:
     return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_12.diffuse)));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:253
+// glimt_render_gpu/src/kernels/proposal.rs:256
 fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
     var chosen_1: vec4<f32>;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:260
+    // glimt_render_gpu/src/kernels/proposal.rs:263
     if (false && is_catcher) {
-        // glimt_render_gpu/src/kernels/proposal.rs:261
+        // glimt_render_gpu/src/kernels/proposal.rs:264
         let _e11 = CellSurface_blocked_weights(surface_1, terms_4, flux_3, visibility_2);
         chosen = _e11;
     } else {
         if false {
-            // glimt_render_gpu/src/kernels/proposal.rs:263
+            // glimt_render_gpu/src/kernels/proposal.rs:266
             let _e15 = CellSurface_residual_weights(surface_1, terms_4, flux_3, visibility_2);
             chosen_1 = _e15;
         } else {
-            // glimt_render_gpu/src/kernels/proposal.rs:265
+            // glimt_render_gpu/src/kernels/proposal.rs:268
             let _e17 = CellSurface_product_weights(surface_1, terms_4, flux_3);
             chosen_1 = _e17;
         }
@@ -892,37 +892,37 @@ fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:151
+// glimt_render_gpu/src/kernels/proposal.rs:154
 fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_2: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:159
+    // glimt_render_gpu/src/kernels/proposal.rs:162
     let list_1 = (4u + (3u * channel));
-    // glimt_render_gpu/src/kernels/proposal.rs:160
+    // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_2);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_2);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_2);
     let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
-    // glimt_render_gpu/src/kernels/proposal.rs:163
+    // glimt_render_gpu/src/kernels/proposal.rs:166
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_2);
-    // glimt_render_gpu/src/kernels/proposal.rs:164
+    // glimt_render_gpu/src/kernels/proposal.rs:167
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:169
+// glimt_render_gpu/src/kernels/proposal.rs:172
 fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_3: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:170
+    // glimt_render_gpu/src/kernels/proposal.rs:173
     let _e9 = channel_sum(cells_size_1, cells_start_1, quad_3, 0u, normal_3, full_1, cut_1);
     let _e11 = channel_sum(cells_size_1, cells_start_1, quad_3, 1u, normal_3, full_1, cut_1);
     let _e13 = channel_sum(cells_size_1, cells_start_1, quad_3, 2u, normal_3, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:179
+// glimt_render_gpu/src/kernels/proposal.rs:182
 fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, factors: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:180
+    // glimt_render_gpu/src/kernels/proposal.rs:183
     let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_4);
     let _e8 = (_e7 * factors);
     let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_4);
@@ -932,106 +932,106 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_4: u32, factor
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:188
+// glimt_render_gpu/src/kernels/proposal.rs:191
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected: Unknown, is_catcher_1: bool) -> Totals {
     var t: Totals;
     var counter_3: u32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:194
-    let surface_2 = of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:195
-    let has_lobe = (surface_2.specular > 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:196
+    // glimt_render_gpu/src/kernels/proposal.rs:197
+    let surface_3 = of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:198
+    let has_lobe = (surface_3.specular > 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:199
     t = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/proposal.rs:211
+    // glimt_render_gpu/src/kernels/proposal.rs:214
     counter_3 = 0u;
     loop {
         let quad_5 = counter_3;
         if (quad_5 >= 128u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:212
+        // glimt_render_gpu/src/kernels/proposal.rs:215
         let _e42 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_5);
-        // glimt_render_gpu/src/kernels/proposal.rs:213
-        let _e44 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_5);
-        // glimt_render_gpu/src/kernels/proposal.rs:214
+        // glimt_render_gpu/src/kernels/proposal.rs:216
+        let _e44 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_5);
+        // glimt_render_gpu/src/kernels/proposal.rs:217
         let _e47 = (_e42 * _e44.live);
         let live = (((_e47.x + _e47.y) + _e47.z) + _e47.w);
-        // glimt_render_gpu/src/kernels/proposal.rs:216
+        // glimt_render_gpu/src/kernels/proposal.rs:219
         if (live > 0f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:217
-            let _e59 = Unknown_quad(expected, quad_5);
-            // glimt_render_gpu/src/kernels/proposal.rs:218
-            let _e61 = weights(surface_2, _e44, _e42, _e59, is_catcher_1);
-            // glimt_render_gpu/src/kernels/proposal.rs:219
-            let weight_1 = (((_e61.x + _e61.y) + _e61.z) + _e61.w);
             // glimt_render_gpu/src/kernels/proposal.rs:220
+            let _e59 = Unknown_quad(expected, quad_5);
+            // glimt_render_gpu/src/kernels/proposal.rs:221
+            let _e61 = weights(surface_3, _e44, _e42, _e59, is_catcher_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:222
+            let weight_1 = (((_e61.x + _e61.y) + _e61.z) + _e61.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:223
             if false {
-                // glimt_render_gpu/src/kernels/proposal.rs:221
+                // glimt_render_gpu/src/kernels/proposal.rs:224
                 let full_2 = (_e44.full * _e59);
-                // glimt_render_gpu/src/kernels/proposal.rs:222
+                // glimt_render_gpu/src/kernels/proposal.rs:225
                 let cut_2 = ((_e59 - full_2) * _e44.cosine);
-                // glimt_render_gpu/src/kernels/proposal.rs:223
+                // glimt_render_gpu/src/kernels/proposal.rs:226
                 let _e82 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, full_2, cut_2);
                 let _e83 = t.diffuse;
                 t.diffuse = (_e83 + _e82);
-                // glimt_render_gpu/src/kernels/proposal.rs:224
+                // glimt_render_gpu/src/kernels/proposal.rs:227
                 if is_catcher_1 {
-                    // glimt_render_gpu/src/kernels/proposal.rs:225
+                    // glimt_render_gpu/src/kernels/proposal.rs:228
                     let cut_3 = ((vec4(1f) - _e44.full) * _e44.cosine);
-                    // glimt_render_gpu/src/kernels/proposal.rs:226
+                    // glimt_render_gpu/src/kernels/proposal.rs:229
                     let _e96 = diffuse_sum(cells_size_3, cells_start_3, quad_5, of_.mean_normal, _e44.full, cut_3);
-                    // glimt_render_gpu/src/kernels/proposal.rs:227
+                    // glimt_render_gpu/src/kernels/proposal.rs:230
                     let _e99 = t.open_diffuse;
                     t.open_diffuse = (_e99 + _e96);
-                    // glimt_render_gpu/src/kernels/proposal.rs:228
+                    // glimt_render_gpu/src/kernels/proposal.rs:231
                     let _e104 = radiance_sum(cells_size_3, cells_start_3, quad_5, _e44.lobe);
                     let _e105 = t.open_specular;
                     t.open_specular = (_e105 + _e104);
                 }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:231
+            // glimt_render_gpu/src/kernels/proposal.rs:234
             if has_lobe {
-                // glimt_render_gpu/src/kernels/proposal.rs:232
+                // glimt_render_gpu/src/kernels/proposal.rs:235
                 let a_3 = (_e44.lobe * _e42);
-                // glimt_render_gpu/src/kernels/proposal.rs:233
+                // glimt_render_gpu/src/kernels/proposal.rs:236
                 let spread = ((a_3 * _e44.lobe_spread) * _e44.lobe_spread);
-                // glimt_render_gpu/src/kernels/proposal.rs:234
+                // glimt_render_gpu/src/kernels/proposal.rs:237
                 let _e125 = t.lobe;
                 t.lobe = (_e125 + (((a_3.x + a_3.y) + a_3.z) + a_3.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:235
+                // glimt_render_gpu/src/kernels/proposal.rs:238
                 let _e136 = t.lobe_spread;
                 t.lobe_spread = (_e136 + (((spread.x + spread.y) + spread.z) + spread.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:236
+                // glimt_render_gpu/src/kernels/proposal.rs:239
                 let _e139 = (a_3 * _e59);
                 let _e148 = t.lobe_visible;
                 t.lobe_visible = (_e148 + (((_e139.x + _e139.y) + _e139.z) + _e139.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:237
+                // glimt_render_gpu/src/kernels/proposal.rs:240
                 let _e153 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_5);
                 let _e154 = (_e44.lobe * _e153);
                 let _e163 = t.lobe_square;
                 t.lobe_square = (_e163 + (((_e154.x + _e154.y) + _e154.z) + _e154.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:238
+                // glimt_render_gpu/src/kernels/proposal.rs:241
                 let _e168 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_5);
                 let _e169 = (_e44.lobe * _e168);
                 let _e178 = t.lobe_area;
                 t.lobe_area = (_e178 + (((_e169.x + _e169.y) + _e169.z) + _e169.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:239
+                // glimt_render_gpu/src/kernels/proposal.rs:242
                 if false {
-                    // glimt_render_gpu/src/kernels/proposal.rs:240
+                    // glimt_render_gpu/src/kernels/proposal.rs:243
                     let _e186 = radiance_sum(cells_size_3, cells_start_3, quad_5, (_e44.lobe * _e59));
                     let _e187 = t.specular;
                     t.specular = (_e187 + _e186);
                 }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:243
+            // glimt_render_gpu/src/kernels/proposal.rs:246
             t.quads[quad_5] = weight_1;
-            // glimt_render_gpu/src/kernels/proposal.rs:244
+            // glimt_render_gpu/src/kernels/proposal.rs:247
             t.lives[quad_5] = live;
-            // glimt_render_gpu/src/kernels/proposal.rs:245
+            // glimt_render_gpu/src/kernels/proposal.rs:248
             let _e197 = t.weight;
             t.weight = (_e197 + weight_1);
-            // glimt_render_gpu/src/kernels/proposal.rs:246
+            // glimt_render_gpu/src/kernels/proposal.rs:249
             let _e201 = t.live;
             t.live = (_e201 + live);
         }
@@ -1040,24 +1040,33 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
             counter_3 = (_e203 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:249
+    // glimt_render_gpu/src/kernels/proposal.rs:252
     let _e207 = t;
     return _e207;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:272
+// glimt_render_gpu/src/kernels/proposal.rs:275
 fn worth(a: f32, visible: f32, variance: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:273
+    // glimt_render_gpu/src/kernels/proposal.rs:276
     if false {
-        // glimt_render_gpu/src/kernels/proposal.rs:274
+        // glimt_render_gpu/src/kernels/proposal.rs:277
         return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:277
+    // glimt_render_gpu/src/kernels/proposal.rs:280
     return (a * sqrt((1f + (2f * variance))));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:284
+// glimt_render_gpu/src/kernels/proposal.rs:285
+fn is_sharp(surface_2: CellSurface) -> bool {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:286
+    let is_flat = (dot(surface_2.normal, surface_2.wo) < 0.3f);
+    // glimt_render_gpu/src/kernels/proposal.rs:287
+    return ((surface_2.specular > 0f) && (is_flat || (surface_2.exponent > 40f)));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:294
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_1: Unknown, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
@@ -1074,179 +1083,178 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var counter_5: u32;
     var lobe_share: f32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:290
+    // glimt_render_gpu/src/kernels/proposal.rs:300
     of_2 = of_1;
-    // glimt_render_gpu/src/kernels/proposal.rs:291
+    // glimt_render_gpu/src/kernels/proposal.rs:301
     let _e9 = of_2;
     let _e10 = weigh(_e9, cells_size_4, cells_start_4, expected_1, is_catcher_2);
     sums = _e10;
-    // glimt_render_gpu/src/kernels/proposal.rs:292
+    // glimt_render_gpu/src/kernels/proposal.rs:302
     let _e13 = sums;
     first_1 = _e13;
-    // glimt_render_gpu/src/kernels/proposal.rs:293
+    // glimt_render_gpu/src/kernels/proposal.rs:303
     lobe_worth = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:294
+    // glimt_render_gpu/src/kernels/proposal.rs:304
     least_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:295
+    // glimt_render_gpu/src/kernels/proposal.rs:305
     share = 1f;
-    // glimt_render_gpu/src/kernels/proposal.rs:296
+    // glimt_render_gpu/src/kernels/proposal.rs:306
     let _e27 = of_2.surface.specular;
     let _e31 = sums.lobe;
     if ((_e27 > 0f) && (_e31 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:298
+        // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e37 = sums.lobe_spread;
         let _e39 = sums.lobe;
         let by_cells = (_e37 / _e39);
-        // glimt_render_gpu/src/kernels/proposal.rs:299
+        // glimt_render_gpu/src/kernels/proposal.rs:309
         let _e43 = sums.lobe_square;
         let _e45 = sums.lobe;
         let _e48 = sums.lobe_area;
         let _e50 = sums.lobe;
         let by_lobe = clamp((((_e43 / _e45) * (_e48 / _e50)) - 1f), 0.0001f, 1000000f);
-        // glimt_render_gpu/src/kernels/proposal.rs:301
+        // glimt_render_gpu/src/kernels/proposal.rs:311
         share = (by_lobe / (by_lobe + by_cells));
-        // glimt_render_gpu/src/kernels/proposal.rs:302
+        // glimt_render_gpu/src/kernels/proposal.rs:312
         let _e62 = share;
         if (_e62 > 0.9f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:303
+            // glimt_render_gpu/src/kernels/proposal.rs:313
             share = 1f;
         } else {
             let _e67 = share;
             if (_e67 < 0.1f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:305
+                // glimt_render_gpu/src/kernels/proposal.rs:315
                 share = 0f;
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:307
+        // glimt_render_gpu/src/kernels/proposal.rs:317
         let _e74 = sums.lobe;
         let _e77 = of_2.surface.specular;
         let a_4 = (_e74 * _e77);
-        // glimt_render_gpu/src/kernels/proposal.rs:308
+        // glimt_render_gpu/src/kernels/proposal.rs:318
         let _e81 = sums.lobe_visible;
         let _e83 = sums.lobe;
         let visible_1 = min((_e81 / _e83), 1f);
-        // glimt_render_gpu/src/kernels/proposal.rs:309
+        // glimt_render_gpu/src/kernels/proposal.rs:319
         let _e88 = share;
         if (_e88 < 1f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:310
+            // glimt_render_gpu/src/kernels/proposal.rs:320
             let _e93 = share;
             let _e95 = worth(a_4, visible_1, by_lobe);
             lobe_worth = ((1f - _e93) * _e95);
-            // glimt_render_gpu/src/kernels/proposal.rs:311
+            // glimt_render_gpu/src/kernels/proposal.rs:321
             let _e98 = share;
             of_2.surface.share = _e98;
-            // glimt_render_gpu/src/kernels/proposal.rs:312
+            // glimt_render_gpu/src/kernels/proposal.rs:322
             let _e102 = of_2;
             let _e103 = weigh(_e102, cells_size_4, cells_start_4, expected_1, is_catcher_2);
             sums = _e103;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:315
-    let _e107 = of_2.surface.specular;
-    let _e112 = of_2.surface.normal;
-    let _e115 = of_2.surface.wo;
-    if ((_e107 > 0f) && (dot(_e112, _e115) < 0.3f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:316
-        least_share = 0.1f;
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:318
-    defence = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:319
-    let _e127 = sums.live;
-    if (_e127 > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:320
-        let _e133 = sums.weight;
-        let _e136 = sums.live;
-        defence = ((0.001f * _e133) / _e136);
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:322
-    total = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:323
-    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:324
-    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:325
+    let _e106 = of_2.surface;
+    let _e107 = is_sharp(_e106);
+    if _e107 {
+        // glimt_render_gpu/src/kernels/proposal.rs:326
+        least_share = 0.2f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:328
+    defence = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:329
+    let _e115 = sums.live;
+    if (_e115 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:330
+        let _e121 = sums.weight;
+        let _e124 = sums.live;
+        defence = ((0.001f * _e121) / _e124);
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:332
+    total = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:333
+    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:334
+    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:335
     counter_4 = 0u;
     loop {
         let row_3 = counter_4;
         if (row_3 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:326
+        // glimt_render_gpu/src/kernels/proposal.rs:336
         of_row = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:327
+        // glimt_render_gpu/src/kernels/proposal.rs:337
         counter_5 = (row_3 * 8u);
         loop {
             let quad_6 = counter_5;
             if (quad_6 >= ((row_3 + 1u) * 8u)) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:328
-            let _e171 = sums.quads[quad_6];
-            let _e172 = defence;
-            let _e175 = sums.lives[quad_6];
-            let weight_2 = (_e171 + (_e172 * _e175));
-            // glimt_render_gpu/src/kernels/proposal.rs:329
+            // glimt_render_gpu/src/kernels/proposal.rs:338
+            let _e159 = sums.quads[quad_6];
+            let _e160 = defence;
+            let _e163 = sums.lives[quad_6];
+            let weight_2 = (_e159 + (_e160 * _e163));
+            // glimt_render_gpu/src/kernels/proposal.rs:339
             quads[quad_6] = weight_2;
-            // glimt_render_gpu/src/kernels/proposal.rs:330
-            let _e181 = of_row;
-            of_row = (_e181 + weight_2);
+            // glimt_render_gpu/src/kernels/proposal.rs:340
+            let _e169 = of_row;
+            of_row = (_e169 + weight_2);
             continuing {
-                let _e183 = counter_5;
-                counter_5 = (_e183 + 1u);
+                let _e171 = counter_5;
+                counter_5 = (_e171 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:332
-        let _e187 = of_row;
-        rows[row_3] = _e187;
-        // glimt_render_gpu/src/kernels/proposal.rs:333
-        let _e190 = of_row;
-        let _e191 = total;
-        total = (_e191 + _e190);
+        // glimt_render_gpu/src/kernels/proposal.rs:342
+        let _e175 = of_row;
+        rows[row_3] = _e175;
+        // glimt_render_gpu/src/kernels/proposal.rs:343
+        let _e178 = of_row;
+        let _e179 = total;
+        total = (_e179 + _e178);
         continuing {
-            let _e193 = counter_4;
-            counter_4 = (_e193 + 1u);
+            let _e181 = counter_4;
+            counter_4 = (_e181 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:335
-    let _e197 = total;
-    let _e198 = lobe_worth;
-    let all_ = (_e197 + _e198);
-    // glimt_render_gpu/src/kernels/proposal.rs:336
+    // glimt_render_gpu/src/kernels/proposal.rs:345
+    let _e185 = total;
+    let _e186 = lobe_worth;
+    let all_ = (_e185 + _e186);
+    // glimt_render_gpu/src/kernels/proposal.rs:346
     lobe_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:337
+    // glimt_render_gpu/src/kernels/proposal.rs:347
     if (all_ > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:338
-        let _e207 = lobe_worth;
-        let _e209 = least_share;
-        lobe_share = clamp((_e207 / all_), _e209, 0.95f);
-        // glimt_render_gpu/src/kernels/proposal.rs:339
-        let _e213 = total;
-        if !((_e213 > 0f)) {
-            // glimt_render_gpu/src/kernels/proposal.rs:340
+        // glimt_render_gpu/src/kernels/proposal.rs:348
+        let _e195 = lobe_worth;
+        let _e197 = least_share;
+        lobe_share = clamp((_e195 / all_), _e197, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:349
+        let _e201 = total;
+        if !((_e201 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:350
             lobe_share = 1f;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:343
-    let _e221 = of_2.diffuse;
-    let kd_1 = (_e221 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:344
-    let _e226 = first_1.diffuse;
-    let _e229 = of_2.specular;
-    let _e231 = first_1.specular;
-    let _e232 = share;
-    let _e237 = first_1.open_diffuse;
-    let _e240 = of_2.specular;
-    let _e242 = first_1.open_specular;
-    let _e243 = share;
-    let _e247 = of_2;
-    let _e248 = quads;
-    let _e249 = rows;
-    let _e250 = total;
-    let _e251 = defence;
-    let _e252 = lobe_worth;
-    let _e253 = lobe_share;
-    return Proposal(_e247, _e248, _e249, _e250, _e251, _e252, _e253, ((kd_1 * _e226) + (_e229 * (_e231 * _e232))), ((kd_1 * _e237) + (_e240 * (_e242 * _e243))), is_catcher_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:353
+    let _e209 = of_2.diffuse;
+    let kd_1 = (_e209 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:354
+    let _e214 = first_1.diffuse;
+    let _e217 = of_2.specular;
+    let _e219 = first_1.specular;
+    let _e220 = share;
+    let _e225 = first_1.open_diffuse;
+    let _e228 = of_2.specular;
+    let _e230 = first_1.open_specular;
+    let _e231 = share;
+    let _e235 = of_2;
+    let _e236 = quads;
+    let _e237 = rows;
+    let _e238 = total;
+    let _e239 = defence;
+    let _e240 = lobe_worth;
+    let _e241 = lobe_share;
+    return Proposal(_e235, _e236, _e237, _e238, _e239, _e240, _e241, ((kd_1 * _e214) + (_e217 * (_e219 * _e220))), ((kd_1 * _e225) + (_e228 * (_e230 * _e231))), is_catcher_2);
 }
 
 // glimt_sampling/src/hash.rs:15
@@ -1744,48 +1752,62 @@ fn unit_f32_(u: u32) -> f32 {
     return (f32((u >> 8u)) * (1f / 16777216f));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:361
+// glimt_render_gpu/src/kernels/proposal.rs:381
 fn Proposal_is_sharp(this_19: Proposal) -> bool {
     var self_: Proposal;
 
     self_ = this_19;
-    // glimt_render_gpu/src/kernels/proposal.rs:362
-    let surface_3 = self_.of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:363
-    return ((surface_3.specular > 0f) && (dot(surface_3.normal, surface_3.wo) < 0.3f));
+    // glimt_render_gpu/src/kernels/proposal.rs:382
+    let _e6 = self_.of_.surface;
+    let _e7 = is_sharp(_e6);
+    return _e7;
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:371
+fn Proposal_round_share(this_20: ptr<function, Proposal>, count: u32) {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:372
+    let _e5 = (*this_20).lobe_share;
+    let lobes_1 = floor(((_e5 * f32(count)) + 0.5f));
+    // glimt_render_gpu/src/kernels/proposal.rs:373
+    if ((lobes_1 > 0f) && (lobes_1 < f32(count))) {
+        // glimt_render_gpu/src/kernels/proposal.rs:374
+        (*this_20).lobe_share = (lobes_1 / f32(count));
+    }
+    return;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:146
-fn PixelPattern_key(this_20: PixelPattern, purpose_3: u32) -> u32 {
+fn PixelPattern_key(this_21: PixelPattern, purpose_3: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:147
-    let _e5 = hash2_(this_20.seed, purpose_3);
-    let _e8 = hash3_(_e5, this_20.frame, this_20.pixel);
+    let _e5 = hash2_(this_21.seed, purpose_3);
+    let _e8 = hash3_(_e5, this_21.frame, this_21.pixel);
     return _e8;
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:131
-fn PixelPattern_ray_key(this_21: PixelPattern, purpose_4: u32) -> u32 {
+fn PixelPattern_ray_key(this_22: PixelPattern, purpose_4: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:132
-    let _e4 = PixelPattern_key(this_21, purpose_4);
-    let _e6 = hash2_(_e4, this_21.ray);
+    let _e4 = PixelPattern_key(this_22, purpose_4);
+    let _e6 = hash2_(_e4, this_22.ray);
     return _e6;
 }
 
 // glimt_sampling/src/sobol.rs:191
-fn OwenSobol_next_uvec2_(this_22: ptr<function, OwenSobol>) -> vec2<u32> {
+fn OwenSobol_next_uvec2_(this_23: ptr<function, OwenSobol>) -> vec2<u32> {
 
     // glimt_sampling/src/sobol.rs:192
-    let _e4 = (*this_22).dimension;
+    let _e4 = (*this_23).dimension;
     let dimension_4 = ((_e4 + 1u) & 4294967294u);
     // glimt_sampling/src/sobol.rs:193
-    (*this_22).dimension = (dimension_4 + 2u);
+    (*this_23).dimension = (dimension_4 + 2u);
     // glimt_sampling/src/sobol.rs:194
-    let _e15 = (*this_22).seed;
+    let _e15 = (*this_23).seed;
     let _e18 = hash2_(_e15, (dimension_4 >> 2u));
     // glimt_sampling/src/sobol.rs:195
-    let _e21 = (*this_22).index;
+    let _e21 = (*this_23).index;
     let _e22 = shuffle(_e21, _e18);
     // glimt_sampling/src/sobol.rs:196
     let _e24 = sobol_reversed(_e22, dimension_4);
@@ -1796,25 +1818,25 @@ fn OwenSobol_next_uvec2_(this_22: ptr<function, OwenSobol>) -> vec2<u32> {
 }
 
 // glimt_sampling/src/uniform.rs:34
-fn Xoshiro128PlusPlus_next_uvec2_(this_23: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
+fn Xoshiro128PlusPlus_next_uvec2_(this_24: ptr<function, Xoshiro128PlusPlus>) -> vec2<u32> {
 
     // glimt_sampling/src/uniform.rs:35
-    let _e3 = Xoshiro128PlusPlus_next_u32_(this_23);
+    let _e3 = Xoshiro128PlusPlus_next_u32_(this_24);
     // glimt_sampling/src/uniform.rs:36
-    let _e5 = Xoshiro128PlusPlus_next_u32_(this_23);
+    let _e5 = Xoshiro128PlusPlus_next_u32_(this_24);
     // glimt_sampling/src/uniform.rs:37
     return vec2<u32>(_e3, _e5);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:116
-fn PixelPattern_point_triple(this_24: PixelPattern, purpose_5: u32, index_9: u32) -> vec3<u32> {
+fn PixelPattern_point_triple(this_25: PixelPattern, purpose_5: u32, index_9: u32) -> vec3<u32> {
     var point_1: OwenSobol;
     var generator: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:117
-    if (this_24.kind == 0u) {
+    if (this_25.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:118
-        let _e9 = PixelPattern_sobol_point(this_24, purpose_5, index_9);
+        let _e9 = PixelPattern_sobol_point(this_25, purpose_5, index_9);
         point_1 = _e9;
         // glimt_render_gpu/src/kernels/pattern.rs:119
         let _e12 = OwenSobol_next_uvec2_((&point_1));
@@ -1823,7 +1845,7 @@ fn PixelPattern_point_triple(this_24: PixelPattern, purpose_5: u32, index_9: u32
         return vec3<u32>(_e12, _e14);
     }
     // glimt_render_gpu/src/kernels/pattern.rs:122
-    let _e17 = PixelPattern_generator(this_24, purpose_5, index_9);
+    let _e17 = PixelPattern_generator(this_25, purpose_5, index_9);
     generator = _e17;
     // glimt_render_gpu/src/kernels/pattern.rs:123
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&generator));
@@ -1841,13 +1863,13 @@ fn unit_vec2_(u_1: vec2<u32>) -> vec2<f32> {
     return vec2<f32>(_e4, _e6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:164
+// glimt_render_gpu/src/kernels/group_light.rs:165
 fn GroupLight_member(env_size_1: vec2<u32>, env_rotation_1: vec2<f32>, cells_size_5: vec2<u32>, cells_start_5: u32, pattern: PixelPattern, rays: f32, threshold: f32, group: Group, word: u32, points_start_3: u32, points_len_3: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/group_light.rs:165
+    // glimt_render_gpu/src/kernels/group_light.rs:166
     let _e6 = unit_f32_(word);
     let k_3 = u32((_e6 * f32(group.members)));
-    // glimt_render_gpu/src/kernels/group_light.rs:166
+    // glimt_render_gpu/src/kernels/group_light.rs:167
     let _e16 = Group_ray(group, min(k_3, (group.members - 1u)), points_start_3, points_len_3);
     return _e16;
 }
@@ -1866,20 +1888,20 @@ fn ShadingFrame_from_normal(n_2: vec3<f32>) -> ShadingFrame {
 }
 
 // glimt_sampling/src/math.rs:66
-fn ShadingFrame_to_local(this_25: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_local(this_26: ShadingFrame, v_1: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:67
-    return vec3<f32>(dot(v_1, this_25.t), dot(v_1, this_25.b), dot(v_1, this_25.n));
+    return vec3<f32>(dot(v_1, this_26.t), dot(v_1, this_26.b), dot(v_1, this_26.n));
 }
 
 // glimt_render_gpu/src/kernels/seen.rs:99
-fn SeenPoint_shading_point(this_26: SeenPoint) -> ShadingPoint {
+fn SeenPoint_shading_point(this_27: SeenPoint) -> ShadingPoint {
 
     // glimt_render_gpu/src/kernels/seen.rs:100
-    let _e4 = ShadingFrame_from_normal(this_26.normal);
+    let _e4 = ShadingFrame_from_normal(this_27.normal);
     // glimt_render_gpu/src/kernels/seen.rs:101
-    let _e9 = ShadingFrame_to_local(_e4, this_26.wo);
-    return ShadingPoint(this_26.origin, this_26.geometric_normal, _e4, _e9, BlinnPhong(this_26.diffuse, this_26.specular, this_26.exponent), this_26.emission);
+    let _e9 = ShadingFrame_to_local(_e4, this_27.wo);
+    return ShadingPoint(this_27.origin, this_27.geometric_normal, _e4, _e9, BlinnPhong(this_27.diffuse, this_27.specular, this_27.exponent), this_27.emission);
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:73
@@ -1890,13 +1912,13 @@ fn lobe_of(point_2: ShadingPoint) -> BlinnPhong {
 }
 
 // glimt_brdf/src/blinn_phong.rs:116
-fn BlinnPhong_pmf_specular(this_27: BlinnPhong) -> f32 {
+fn BlinnPhong_pmf_specular(this_28: BlinnPhong) -> f32 {
     var chosen_5: f32;
 
     // glimt_brdf/src/blinn_phong.rs:117
-    let _e4 = luminance(this_27.specular);
+    let _e4 = luminance(this_28.specular);
     // glimt_brdf/src/blinn_phong.rs:118
-    let _e7 = luminance(this_27.diffuse);
+    let _e7 = luminance(this_28.diffuse);
     let both_4 = (_e7 + _e4);
     // glimt_brdf/src/blinn_phong.rs:119
     if (both_4 > 0f) {
@@ -2115,23 +2137,23 @@ fn cosine_power(cos2_theta: f32, sin2_theta_2: f32, exponent_6: f32) -> f32 {
 }
 
 // glimt_brdf/src/lobe.rs:32
-fn HalfVector_lobe(this_28: HalfVector, exponent_7: f32) -> f32 {
+fn HalfVector_lobe(this_29: HalfVector, exponent_7: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:33
-    let _e6 = cosine_power(this_28.cos2_theta, this_28.sin2_theta, exponent_7);
+    let _e6 = cosine_power(this_29.cos2_theta, this_29.sin2_theta, exponent_7);
     return _e6;
 }
 
 // glimt_brdf/src/lobe.rs:37
-fn HalfVector_pdf_sr(this_29: HalfVector, exponent_8: f32) -> f32 {
+fn HalfVector_pdf_sr(this_30: HalfVector, exponent_8: f32) -> f32 {
 
     // glimt_brdf/src/lobe.rs:38
-    let _e10 = HalfVector_lobe(this_29, exponent_8);
-    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_29.wo_dot_h));
+    let _e10 = HalfVector_lobe(this_30, exponent_8);
+    return ((((exponent_8 + 1f) * (0.5f * 0.31830987f)) * _e10) / (4f * this_30.wo_dot_h));
 }
 
 // glimt_brdf/src/blinn_phong.rs:99
-fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
+fn BlinnPhong_pdf_sr(this_31: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f32 {
 
     // glimt_brdf/src/blinn_phong.rs:100
     if ((wo_3.z <= 0f) || (wi_1.z <= 0f)) {
@@ -2141,7 +2163,7 @@ fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     // glimt_brdf/src/blinn_phong.rs:103
     let _e15 = pdf_cosine_hemisphere_sr(wi_1);
     // glimt_brdf/src/blinn_phong.rs:104
-    let _e17 = BlinnPhong_pmf_specular(this_30);
+    let _e17 = BlinnPhong_pmf_specular(this_31);
     // glimt_brdf/src/blinn_phong.rs:105
     if (_e17 <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:106
@@ -2149,21 +2171,21 @@ fn BlinnPhong_pdf_sr(this_30: BlinnPhong, wo_3: vec3<f32>, wi_1: vec3<f32>) -> f
     }
     // glimt_brdf/src/blinn_phong.rs:108
     let _e23 = HalfVector_new(wo_3, wi_1);
-    let _e25 = HalfVector_pdf_sr(_e23, this_30.exponent);
+    let _e25 = HalfVector_pdf_sr(_e23, this_31.exponent);
     // glimt_brdf/src/blinn_phong.rs:109
     return ((_e17 * _e25) + ((1f - _e17) * _e15));
 }
 
 // glimt_brdf/src/blinn_phong.rs:80
-fn BlinnPhong_sample(this_31: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
+fn BlinnPhong_sample(this_32: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec2<f32>) -> BrdfSample {
     var chosen_10: vec3<f32>;
 
     // glimt_brdf/src/blinn_phong.rs:81
     let _e7 = unit_f32_(u_lobe);
-    let _e8 = BlinnPhong_pmf_specular(this_31);
+    let _e8 = BlinnPhong_pmf_specular(this_32);
     if (_e7 < _e8) {
         // glimt_brdf/src/blinn_phong.rs:82
-        let _e12 = sample_power_cosine(u_5, this_31.exponent);
+        let _e12 = sample_power_cosine(u_5, this_32.exponent);
         let h = _e12.direction;
         // glimt_brdf/src/blinn_phong.rs:83
         chosen_10 = (((2f * dot(wo_4, h)) * h) - wo_4);
@@ -2174,15 +2196,15 @@ fn BlinnPhong_sample(this_31: BlinnPhong, wo_4: vec3<f32>, u_lobe: u32, u_5: vec
     }
     let wi_4 = chosen_10;
     // glimt_brdf/src/blinn_phong.rs:87
-    let _e25 = BlinnPhong_pdf_sr(this_31, wo_4, wi_4);
+    let _e25 = BlinnPhong_pdf_sr(this_32, wo_4, wi_4);
     return BrdfSample(wi_4, _e25);
 }
 
 // glimt_sampling/src/math.rs:59
-fn ShadingFrame_to_world(this_32: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
+fn ShadingFrame_to_world(this_33: ShadingFrame, v_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_sampling/src/math.rs:60
-    return (((this_32.t * v_2.x) + (this_32.b * v_2.y)) + (this_32.n * v_2.z));
+    return (((this_33.t * v_2.x) + (this_33.b * v_2.y)) + (this_33.n * v_2.z));
 }
 
 // glimt_probe/src/latlong.rs:45
@@ -2297,108 +2319,108 @@ fn LightCells_cell_of(size_6: vec2<u32>, start_3: u32, texel: vec2<u32>) -> u32 
     return ((row_4 * 32u) + _e14);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:78
+// glimt_render_gpu/src/kernels/proposal.rs:81
 fn CellAt_new(lane: u32, weight: vec4<f32>, flux_4: vec4<f32>, terms_5: CellTerms, visibility_3: vec4<f32>) -> CellAt {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:79
+    // glimt_render_gpu/src/kernels/proposal.rs:82
     return CellAt(weight[lane], (flux_4 * terms_5.live)[lane], terms_5.cosine[lane], (terms_5.full[lane] > 0.5f), terms_5.lobe[lane], visibility_3[lane]);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:369
-fn Proposal_cell(this_33: Proposal, cell: u32, cells_size_6: vec2<u32>, cells_start_6: u32, expected_2: Unknown) -> CellAt {
+// glimt_render_gpu/src/kernels/proposal.rs:388
+fn Proposal_cell(this_34: Proposal, cell: u32, cells_size_6: vec2<u32>, cells_start_6: u32, expected_2: Unknown) -> CellAt {
     var self_1: Proposal;
 
-    self_1 = this_33;
-    // glimt_render_gpu/src/kernels/proposal.rs:370
+    self_1 = this_34;
+    // glimt_render_gpu/src/kernels/proposal.rs:389
     let quad_7 = (cell / 4u);
-    // glimt_render_gpu/src/kernels/proposal.rs:371
+    // glimt_render_gpu/src/kernels/proposal.rs:390
     let _e12 = LightCells_quad(cells_size_6, cells_start_6, 0u, quad_7);
-    // glimt_render_gpu/src/kernels/proposal.rs:372
+    // glimt_render_gpu/src/kernels/proposal.rs:391
     let _e16 = self_1.of_.surface;
     let _e17 = LightCells_terms(cells_size_6, cells_start_6, _e16, quad_7);
-    // glimt_render_gpu/src/kernels/proposal.rs:373
+    // glimt_render_gpu/src/kernels/proposal.rs:392
     let _e19 = Unknown_quad(expected_2, quad_7);
-    // glimt_render_gpu/src/kernels/proposal.rs:374
+    // glimt_render_gpu/src/kernels/proposal.rs:393
     let _e23 = self_1.of_.surface;
     let _e25 = self_1.is_catcher;
     let _e26 = weights(_e23, _e17, _e12, _e19, _e25);
-    // glimt_render_gpu/src/kernels/proposal.rs:375
+    // glimt_render_gpu/src/kernels/proposal.rs:394
     let _e30 = CellAt_new((cell % 4u), _e26, _e12, _e17, _e19);
     return _e30;
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:193
+// glimt_render_gpu/src/kernels/group_light.rs:194
 fn GroupLight_look_by_lobe(env_size_2: vec2<u32>, env_rotation_2: vec2<f32>, cells_size_7: vec2<u32>, cells_start_7: u32, pattern_1: PixelPattern, rays_1: f32, threshold_1: f32, group_1: Group, proposal: Proposal, expected_3: Unknown, index_10: u32, points_start_4: u32, points_len_4: u32) -> Look {
     var proposal_1: Proposal;
 
     proposal_1 = proposal;
-    // glimt_render_gpu/src/kernels/group_light.rs:201
-    let _e17 = PixelPattern_point_triple(pattern_1, 11u, index_10);
     // glimt_render_gpu/src/kernels/group_light.rs:202
-    let _e20 = unit_vec2_(_e17.xy);
+    let _e17 = PixelPattern_point_triple(pattern_1, 11u, index_10);
     // glimt_render_gpu/src/kernels/group_light.rs:203
-    let _e23 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_1, group_1, _e17.z, points_start_4, points_len_4);
+    let _e20 = unit_vec2_(_e17.xy);
     // glimt_render_gpu/src/kernels/group_light.rs:204
+    let _e23 = GroupLight_member(env_size_2, env_rotation_2, cells_size_7, cells_start_7, pattern_1, rays_1, threshold_1, group_1, _e17.z, points_start_4, points_len_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:205
     let _e28 = points[(points_start_4 + _e23)];
     let _e29 = SeenPoint_shading_point(_e28);
-    // glimt_render_gpu/src/kernels/group_light.rs:205
+    // glimt_render_gpu/src/kernels/group_light.rs:206
     let _e31 = lobe_of(_e29);
     let _e34 = BlinnPhong_sample(_e31, _e29.wo, 0u, _e20);
-    // glimt_render_gpu/src/kernels/group_light.rs:206
-    let _e38 = ShadingFrame_to_world(_e29.frame, _e34.wi);
     // glimt_render_gpu/src/kernels/group_light.rs:207
-    let _e40 = Environment_texel(env_size_2, env_rotation_2, _e38);
+    let _e38 = ShadingFrame_to_world(_e29.frame, _e34.wi);
     // glimt_render_gpu/src/kernels/group_light.rs:208
-    let _e42 = LightCells_cell_of(cells_size_7, cells_start_7, _e40);
+    let _e40 = Environment_texel(env_size_2, env_rotation_2, _e38);
     // glimt_render_gpu/src/kernels/group_light.rs:209
+    let _e42 = LightCells_cell_of(cells_size_7, cells_start_7, _e40);
+    // glimt_render_gpu/src/kernels/group_light.rs:210
     let _e44 = Environment_to_map(env_size_2, env_rotation_2, _e38);
     let _e45 = proposal_1;
     let _e46 = Proposal_cell(_e45, _e42, cells_size_7, cells_start_7, expected_3);
     return Look(_e44, _e38, _e40, _e46, _e42, _e23, (_e34.pdf_sr > 0f));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:479
+// glimt_render_gpu/src/kernels/proposal.rs:498
 fn Place_new(target_: f32) -> Place {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:480
+    // glimt_render_gpu/src/kernels/proposal.rs:499
     return Place(target_, 0f, 0u, 0f, 0f, false);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:492
-fn Place_offer(this_34: ptr<function, Place>, index_11: u32, width_1: f32) {
+// glimt_render_gpu/src/kernels/proposal.rs:511
+fn Place_offer(this_35: ptr<function, Place>, index_11: u32, width_1: f32) {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:493
-    let _e8 = (*this_34).is_found;
+    // glimt_render_gpu/src/kernels/proposal.rs:512
+    let _e8 = (*this_35).is_found;
     if ((width_1 > 0f) && !(_e8)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:494
-        (*this_34).index = index_11;
-        // glimt_render_gpu/src/kernels/proposal.rs:495
-        let _e15 = (*this_34).sum;
-        (*this_34).first = _e15;
-        // glimt_render_gpu/src/kernels/proposal.rs:496
-        (*this_34).width = width_1;
+        // glimt_render_gpu/src/kernels/proposal.rs:513
+        (*this_35).index = index_11;
+        // glimt_render_gpu/src/kernels/proposal.rs:514
+        let _e15 = (*this_35).sum;
+        (*this_35).first = _e15;
+        // glimt_render_gpu/src/kernels/proposal.rs:515
+        (*this_35).width = width_1;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:498
-    let _e21 = (*this_34).sum;
-    (*this_34).sum = (_e21 + width_1);
-    // glimt_render_gpu/src/kernels/proposal.rs:499
-    let _e25 = (*this_34).is_found;
-    let _e27 = (*this_34).sum;
-    let _e29 = (*this_34).target_;
-    (*this_34).is_found = (_e25 || (_e27 > _e29));
+    // glimt_render_gpu/src/kernels/proposal.rs:517
+    let _e21 = (*this_35).sum;
+    (*this_35).sum = (_e21 + width_1);
+    // glimt_render_gpu/src/kernels/proposal.rs:518
+    let _e25 = (*this_35).is_found;
+    let _e27 = (*this_35).sum;
+    let _e29 = (*this_35).target_;
+    (*this_35).is_found = (_e25 || (_e27 > _e29));
     return;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:505
-fn Place_word(this_35: Place, whole: f32, fraction: u32) -> u32 {
+// glimt_render_gpu/src/kernels/proposal.rs:524
+fn Place_word(this_36: Place, whole: f32, fraction: u32) -> u32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:506
+    // glimt_render_gpu/src/kernels/proposal.rs:525
     let unit_1 = (whole * (1f / 16777216f));
-    // glimt_render_gpu/src/kernels/proposal.rs:507
-    let fine = ((this_35.target_ - this_35.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
-    // glimt_render_gpu/src/kernels/proposal.rs:508
-    let place_2 = clamp((fine / max(this_35.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
-    // glimt_render_gpu/src/kernels/proposal.rs:509
+    // glimt_render_gpu/src/kernels/proposal.rs:526
+    let fine = ((this_36.target_ - this_36.first) + (unit_1 * (f32(fraction) * (1f / 65536f))));
+    // glimt_render_gpu/src/kernels/proposal.rs:527
+    let place_2 = clamp((fine / max(this_36.width, 0.000000000000000000000000000000000000011754944f)), 0f, 0.99999994f);
+    // glimt_render_gpu/src/kernels/proposal.rs:528
     return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
@@ -2641,8 +2663,8 @@ fn direction_in_texel(texel_2: vec2<u32>, size_13: vec2<u32>, r: vec2<f32>) -> v
     return vec3<f32>((sin_theta_1 * _e90.x), (sin_theta_1 * _e90.y), cos_theta_1);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:413
-fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_4: Unknown) -> CellDraw {
+// glimt_render_gpu/src/kernels/proposal.rs:432
+fn Proposal_sample_cells(this_37: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u32>, cells_start_8: u32, expected_4: Unknown) -> CellDraw {
     var self_2: Proposal;
     var row_place: Place;
     var counter_8: u32;
@@ -2650,20 +2672,20 @@ fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     var counter_9: u32;
     var cell_place: Place;
 
-    self_2 = this_36;
-    // glimt_render_gpu/src/kernels/proposal.rs:420
+    self_2 = this_37;
+    // glimt_render_gpu/src/kernels/proposal.rs:439
     let _e9 = unit_f32_(u_9.y);
     let _e11 = self_2.total;
     let _e13 = Place_new((_e9 * _e11));
     row_place = _e13;
-    // glimt_render_gpu/src/kernels/proposal.rs:421
+    // glimt_render_gpu/src/kernels/proposal.rs:440
     counter_8 = 0u;
     loop {
         let row_7 = counter_8;
         if (row_7 >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:422
+        // glimt_render_gpu/src/kernels/proposal.rs:441
         let _e24 = self_2.rows[row_7];
         Place_offer((&row_place), row_7, _e24);
         continuing {
@@ -2671,24 +2693,24 @@ fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
             counter_8 = (_e25 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:424
+    // glimt_render_gpu/src/kernels/proposal.rs:443
     let _e30 = row_place.index;
     let first_7 = (_e30 * 8u);
-    // glimt_render_gpu/src/kernels/proposal.rs:425
+    // glimt_render_gpu/src/kernels/proposal.rs:444
     let _e35 = unit_f32_(u_9.x);
     let _e37 = row_place.width;
     let target_1 = (_e35 * _e37);
-    // glimt_render_gpu/src/kernels/proposal.rs:426
+    // glimt_render_gpu/src/kernels/proposal.rs:445
     let _e40 = Place_new(target_1);
     quad_place = _e40;
-    // glimt_render_gpu/src/kernels/proposal.rs:427
+    // glimt_render_gpu/src/kernels/proposal.rs:446
     counter_9 = first_7;
     loop {
         let quad_8 = counter_9;
         if (quad_8 >= (first_7 + 8u)) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:428
+        // glimt_render_gpu/src/kernels/proposal.rs:447
         let _e51 = self_2.quads[quad_8];
         Place_offer((&quad_place), quad_8, _e51);
         continuing {
@@ -2696,42 +2718,42 @@ fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
             counter_9 = (_e52 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:430
+    // glimt_render_gpu/src/kernels/proposal.rs:449
     let quad_9 = quad_place.index;
-    // glimt_render_gpu/src/kernels/proposal.rs:431
+    // glimt_render_gpu/src/kernels/proposal.rs:450
     let _e60 = LightCells_quad(cells_size_8, cells_start_8, 0u, quad_9);
-    // glimt_render_gpu/src/kernels/proposal.rs:432
+    // glimt_render_gpu/src/kernels/proposal.rs:451
     let _e64 = self_2.of_.surface;
     let _e65 = LightCells_terms(cells_size_8, cells_start_8, _e64, quad_9);
-    // glimt_render_gpu/src/kernels/proposal.rs:433
+    // glimt_render_gpu/src/kernels/proposal.rs:452
     let _e67 = Unknown_quad(expected_4, quad_9);
-    // glimt_render_gpu/src/kernels/proposal.rs:434
+    // glimt_render_gpu/src/kernels/proposal.rs:453
     let surface_4 = self_2.of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:435
+    // glimt_render_gpu/src/kernels/proposal.rs:454
     let _e74 = self_2.is_catcher;
     let _e75 = weights(surface_4, _e65, _e60, _e67, _e74);
-    // glimt_render_gpu/src/kernels/proposal.rs:436
+    // glimt_render_gpu/src/kernels/proposal.rs:455
     let _e80 = self_2.defence;
     let all_1 = (_e75 + ((_e60 * _e65.live) * _e80));
-    // glimt_render_gpu/src/kernels/proposal.rs:437
+    // glimt_render_gpu/src/kernels/proposal.rs:456
     let _e85 = quad_place.first;
     let _e86 = Place_new(target_1);
     cell_place = Place(_e86.target_, _e85, _e86.index, _e86.first, _e86.width, _e86.is_found);
-    // glimt_render_gpu/src/kernels/proposal.rs:441
+    // glimt_render_gpu/src/kernels/proposal.rs:460
     Place_offer((&cell_place), 0u, all_1.x);
-    // glimt_render_gpu/src/kernels/proposal.rs:442
+    // glimt_render_gpu/src/kernels/proposal.rs:461
     Place_offer((&cell_place), 1u, all_1.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:443
+    // glimt_render_gpu/src/kernels/proposal.rs:462
     Place_offer((&cell_place), 2u, all_1.z);
-    // glimt_render_gpu/src/kernels/proposal.rs:444
+    // glimt_render_gpu/src/kernels/proposal.rs:463
     Place_offer((&cell_place), 3u, all_1.w);
-    // glimt_render_gpu/src/kernels/proposal.rs:445
+    // glimt_render_gpu/src/kernels/proposal.rs:464
     let lane_1 = cell_place.index;
-    // glimt_render_gpu/src/kernels/proposal.rs:446
+    // glimt_render_gpu/src/kernels/proposal.rs:465
     let cell_6 = ((4u * quad_9) + lane_1);
-    // glimt_render_gpu/src/kernels/proposal.rs:447
+    // glimt_render_gpu/src/kernels/proposal.rs:466
     let _e116 = hash2_(u_9.x, u_9.y);
-    // glimt_render_gpu/src/kernels/proposal.rs:448
+    // glimt_render_gpu/src/kernels/proposal.rs:467
     let _e118 = cell_place;
     let _e120 = row_place.width;
     let _e123 = Place_word(_e118, _e120, (_e116 & 65535u));
@@ -2739,32 +2761,32 @@ fn Proposal_sample_cells(this_36: Proposal, u_9: vec2<u32>, cells_size_8: vec2<u
     let _e126 = self_2.total;
     let _e129 = Place_word(_e124, _e126, (_e116 >> 16u));
     let within = vec2<u32>(_e123, _e129);
-    // glimt_render_gpu/src/kernels/proposal.rs:452
+    // glimt_render_gpu/src/kernels/proposal.rs:471
     let _e132 = LightCells_sample(cells_size_8, cells_start_8, cell_6, within);
-    // glimt_render_gpu/src/kernels/proposal.rs:453
+    // glimt_render_gpu/src/kernels/proposal.rs:472
     let _e135 = hash2_(_e116, u_9.x);
-    // glimt_render_gpu/src/kernels/proposal.rs:454
+    // glimt_render_gpu/src/kernels/proposal.rs:473
     let place_3 = vec2<u32>((_e135 << 16u), (_e135 & 4294901760u));
-    // glimt_render_gpu/src/kernels/proposal.rs:455
+    // glimt_render_gpu/src/kernels/proposal.rs:474
     let _e144 = unit_vec2_(place_3);
     let _e145 = direction_in_texel(_e132.texel, cells_size_8, _e144);
     let _e147 = CellAt_new(lane_1, _e75, _e60, _e65, _e67);
     return CellDraw(_e147, _e145, _e132.texel, cell_6);
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:170
+// glimt_render_gpu/src/kernels/group_light.rs:171
 fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, cells_size_9: vec2<u32>, cells_start_9: u32, pattern_2: PixelPattern, rays_2: f32, threshold_2: f32, group_2: Group, proposal_2: Proposal, expected_5: Unknown, index_12: u32, points_start_5: u32, points_len_5: u32) -> Look {
     var proposal_3: Proposal;
 
     proposal_3 = proposal_2;
-    // glimt_render_gpu/src/kernels/group_light.rs:178
-    let _e17 = PixelPattern_point_triple(pattern_2, 10u, index_12);
     // glimt_render_gpu/src/kernels/group_light.rs:179
-    let _e20 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_2, group_2, _e17.z, points_start_5, points_len_5);
+    let _e17 = PixelPattern_point_triple(pattern_2, 10u, index_12);
     // glimt_render_gpu/src/kernels/group_light.rs:180
+    let _e20 = GroupLight_member(env_size_3, env_rotation_3, cells_size_9, cells_start_9, pattern_2, rays_2, threshold_2, group_2, _e17.z, points_start_5, points_len_5);
+    // glimt_render_gpu/src/kernels/group_light.rs:181
     let _e22 = proposal_3;
     let _e24 = Proposal_sample_cells(_e22, _e17.xy, cells_size_9, cells_start_9, expected_5);
-    // glimt_render_gpu/src/kernels/group_light.rs:181
+    // glimt_render_gpu/src/kernels/group_light.rs:182
     let _e28 = rotate_z(_e24.direction, env_rotation_3);
     return Look(_e24.direction, _e28, _e24.texel, _e24.at, _e24.cell, _e20, true);
 }
@@ -2807,25 +2829,25 @@ fn texel_solid_angle_sr(row_2: u32, size_15: vec2<u32>) -> f32 {
     return ((((4f * 3.1415927f) / f32(size_24.x)) * _e37.y) * _e40.y);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:381
-fn Proposal_cells_pdf_sr(this_37: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
+// glimt_render_gpu/src/kernels/proposal.rs:400
+fn Proposal_cells_pdf_sr(this_38: Proposal, texel_4: vec2<u32>, cell_4: u32, at_2: CellAt, cells_size_10: vec2<u32>, cells_start_10: u32) -> f32 {
     var self_3: Proposal;
 
-    self_3 = this_37;
-    // glimt_render_gpu/src/kernels/proposal.rs:388
+    self_3 = this_38;
+    // glimt_render_gpu/src/kernels/proposal.rs:407
     let _e10 = self_3.total;
     if !((_e10 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:389
+        // glimt_render_gpu/src/kernels/proposal.rs:408
         return 0f;
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:391
+    // glimt_render_gpu/src/kernels/proposal.rs:410
     let _e19 = self_3.defence;
     let weight_3 = (at_2.weight + (_e19 * at_2.live));
-    // glimt_render_gpu/src/kernels/proposal.rs:392
+    // glimt_render_gpu/src/kernels/proposal.rs:411
     let _e25 = self_3.total;
     let _e27 = LightCells_pmf_in_cell(cells_size_10, cells_start_10, texel_4, cell_4);
     let pmf = ((weight_3 / _e25) * _e27);
-    // glimt_render_gpu/src/kernels/proposal.rs:393
+    // glimt_render_gpu/src/kernels/proposal.rs:412
     let _e31 = texel_solid_angle_sr(texel_4.y, cells_size_10);
     return (pmf / _e31);
 }
@@ -2839,7 +2861,7 @@ fn Environment_radiance(size_16: vec2<u32>, rotation_3: vec2<f32>, texel_5: vec2
 }
 
 // glimt_brdf/src/blinn_phong.rs:59
-fn BlinnPhong_eval(this_38: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
+fn BlinnPhong_eval(this_39: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec3<f32> {
 
     // glimt_brdf/src/blinn_phong.rs:60
     if ((wo_5.z <= 0f) || (wi_2.z <= 0f)) {
@@ -2847,19 +2869,19 @@ fn BlinnPhong_eval(this_38: BlinnPhong, wo_5: vec3<f32>, wi_2: vec3<f32>) -> vec
         return vec3(0f);
     }
     // glimt_brdf/src/blinn_phong.rs:63
-    let diffuse_3 = (this_38.diffuse * 0.31830987f);
+    let diffuse_3 = (this_39.diffuse * 0.31830987f);
     // glimt_brdf/src/blinn_phong.rs:65
-    if (max(max(this_38.specular.x, this_38.specular.y), this_38.specular.z) <= 0f) {
+    if (max(max(this_39.specular.x, this_39.specular.y), this_39.specular.z) <= 0f) {
         // glimt_brdf/src/blinn_phong.rs:66
         return diffuse_3;
     }
     // glimt_brdf/src/blinn_phong.rs:68
-    let _e31 = normalisation(this_38.exponent);
+    let _e31 = normalisation(this_39.exponent);
     let _e32 = HalfVector_new(wo_5, wi_2);
-    let _e34 = HalfVector_lobe(_e32, this_38.exponent);
+    let _e34 = HalfVector_lobe(_e32, this_39.exponent);
     let lobe_2 = (_e31 * _e34);
     // glimt_brdf/src/blinn_phong.rs:69
-    return (diffuse_3 + (this_38.specular * lobe_2));
+    return (diffuse_3 + (this_39.specular * lobe_2));
 }
 
 // glimt_render_gpu/src/kernels/group_light.rs:82
@@ -3020,10 +3042,10 @@ fn intersect(triangle_1: Triangle, ray_4: Ray, t_max: f32) -> f32 {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:99
-fn Triangle_is_see_through(this_39: Triangle) -> bool {
+fn Triangle_is_see_through(this_40: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:100
-    return ((this_39.object & 1073741824u) != 0u);
+    return ((this_40.object & 1073741824u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:210
@@ -3104,10 +3126,10 @@ fn MaterialView_texture(words_start_1: u32, words_len_1: u32, word_2: u32) -> Te
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:40
-fn TextureView_exists(this_40: TextureView) -> bool {
+fn TextureView_exists(this_41: TextureView) -> bool {
 
     // glimt_render_gpu/src/kernels/texture.rs:41
-    return (this_40.width > 0u);
+    return (this_41.width > 0u);
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:90
@@ -3152,11 +3174,11 @@ fn neighbour(index_14: i32, size_17: u32, mode_1: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:69
-fn TextureView_texel(this_41: TextureView, index_15: u32) -> vec4<f32> {
+fn TextureView_texel(this_42: TextureView, index_15: u32) -> vec4<f32> {
     var chosen_19: vec4<f32>;
 
     // glimt_render_gpu/src/kernels/texture.rs:70
-    let word_4 = scene_surface[(this_41.first + index_15)];
+    let word_4 = scene_surface[(this_42.first + index_15)];
     // glimt_render_gpu/src/kernels/texture.rs:71
     let r_3 = (word_4 & 255u);
     // glimt_render_gpu/src/kernels/texture.rs:72
@@ -3166,7 +3188,7 @@ fn TextureView_texel(this_41: TextureView, index_15: u32) -> vec4<f32> {
     // glimt_render_gpu/src/kernels/texture.rs:74
     let alpha_2 = (f32((word_4 >> 24u)) / 255f);
     // glimt_render_gpu/src/kernels/texture.rs:75
-    if ((this_41.flags & 1u) != 0u) {
+    if ((this_42.flags & 1u) != 0u) {
         // glimt_render_gpu/src/kernels/texture.rs:76
         let _e38 = scene_surface[r_3];
         let _e42 = scene_surface[g];
@@ -3181,40 +3203,40 @@ fn TextureView_texel(this_41: TextureView, index_15: u32) -> vec4<f32> {
 }
 
 // glimt_render_gpu/src/kernels/texture.rs:49
-fn TextureView_sample(this_42: TextureView, uv: vec2<f32>) -> vec4<f32> {
+fn TextureView_sample(this_43: TextureView, uv: vec2<f32>) -> vec4<f32> {
 
     // glimt_render_gpu/src/kernels/texture.rs:50
-    let wrap_u = ((this_42.flags >> 1u) & 3u);
+    let wrap_u = ((this_43.flags >> 1u) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:51
-    let wrap_v = ((this_42.flags >> ((1u + 2u) & 31u)) & 3u);
+    let wrap_v = ((this_43.flags >> ((1u + 2u) & 31u)) & 3u);
     // glimt_render_gpu/src/kernels/texture.rs:52
     let _e21 = wrap(uv.x, wrap_u);
-    let x_15 = ((_e21 * f32(this_42.width)) - 0.5f);
+    let x_15 = ((_e21 * f32(this_43.width)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:53
     let _e29 = wrap(uv.y, wrap_v);
-    let y_6 = ((_e29 * f32(this_42.height)) - 0.5f);
+    let y_6 = ((_e29 * f32(this_43.height)) - 0.5f);
     // glimt_render_gpu/src/kernels/texture.rs:54
     let _e38 = Tuple_f32_f32_(floor(x_15), floor(y_6));
     let left_2 = _e38.fa;
     let top = _e38.fb;
     // glimt_render_gpu/src/kernels/texture.rs:55
-    let _e44 = neighbour(i32(left_2), this_42.width, wrap_u);
+    let _e44 = neighbour(i32(left_2), this_43.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:56
-    let _e50 = neighbour((i32(left_2) + 1i), this_42.width, wrap_u);
+    let _e50 = neighbour((i32(left_2) + 1i), this_43.width, wrap_u);
     // glimt_render_gpu/src/kernels/texture.rs:57
-    let _e54 = neighbour(i32(top), this_42.height, wrap_v);
-    let row0_ = (_e54 * this_42.width);
+    let _e54 = neighbour(i32(top), this_43.height, wrap_v);
+    let row0_ = (_e54 * this_43.width);
     // glimt_render_gpu/src/kernels/texture.rs:58
-    let _e62 = neighbour((i32(top) + 1i), this_42.height, wrap_v);
-    let row1_ = (_e62 * this_42.width);
+    let _e62 = neighbour((i32(top) + 1i), this_43.height, wrap_v);
+    let row1_ = (_e62 * this_43.width);
     // glimt_render_gpu/src/kernels/texture.rs:59
-    let _e67 = TextureView_texel(this_42, (row0_ + _e44));
-    let _e69 = TextureView_texel(this_42, (row0_ + _e50));
+    let _e67 = TextureView_texel(this_43, (row0_ + _e44));
+    let _e69 = TextureView_texel(this_43, (row0_ + _e50));
     let _e70 = (x_15 - left_2);
     let upper_1 = ((_e67 * (1f - _e70)) + (_e69 * _e70));
     // glimt_render_gpu/src/kernels/texture.rs:62
-    let _e78 = TextureView_texel(this_42, (row1_ + _e44));
-    let _e80 = TextureView_texel(this_42, (row1_ + _e50));
+    let _e78 = TextureView_texel(this_43, (row1_ + _e44));
+    let _e80 = TextureView_texel(this_43, (row1_ + _e50));
     let _e81 = (x_15 - left_2);
     let lower_2 = ((_e78 * (1f - _e81)) + (_e80 * _e81));
     // glimt_render_gpu/src/kernels/texture.rs:65
@@ -3318,62 +3340,62 @@ fn is_passed(index_17: u32, triangle_4: Triangle, ray_6: Ray) -> bool {
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:85
-fn Triangle_is_catcher(this_43: Triangle) -> bool {
+fn Triangle_is_catcher(this_44: Triangle) -> bool {
 
     // glimt_render_gpu/src/kernels/triangle.rs:86
-    return ((this_43.object & 2147483648u) != 0u);
+    return ((this_44.object & 2147483648u) != 0u);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:71
-fn Triangle_b(this_44: Triangle) -> vec3<f32> {
+fn Triangle_b(this_45: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:72
-    return vec3<f32>(this_44.x.y, this_44.y.y, this_44.z.y);
+    return vec3<f32>(this_45.x.y, this_45.y.y, this_45.z.y);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:64
-fn Triangle_a(this_45: Triangle) -> vec3<f32> {
+fn Triangle_a(this_46: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:65
-    return vec3<f32>(this_45.x.x, this_45.y.x, this_45.z.x);
+    return vec3<f32>(this_46.x.x, this_46.y.x, this_46.z.x);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:78
-fn Triangle_c(this_46: Triangle) -> vec3<f32> {
+fn Triangle_c(this_47: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:79
-    return vec3<f32>(this_46.x.z, this_46.y.z, this_46.z.z);
+    return vec3<f32>(this_47.x.z, this_47.y.z, this_47.z.z);
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:140
-fn Triangle_area_normal(this_47: Triangle) -> vec3<f32> {
+fn Triangle_area_normal(this_48: Triangle) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/triangle.rs:141
-    let _e3 = Triangle_b(this_47);
-    let _e4 = Triangle_a(this_47);
-    let _e6 = Triangle_c(this_47);
-    let _e7 = Triangle_a(this_47);
+    let _e3 = Triangle_b(this_48);
+    let _e4 = Triangle_a(this_48);
+    let _e6 = Triangle_c(this_48);
+    let _e7 = Triangle_a(this_48);
     return cross((_e3 - _e4), (_e6 - _e7));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:106
-fn Triangle_ray_offset(this_48: Triangle) -> f32 {
+fn Triangle_ray_offset(this_49: Triangle) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:107
-    let extent = max(max(abs(this_48.x), abs(this_48.y)), abs(this_48.z));
+    let extent = max(max(abs(this_49.x), abs(this_49.y)), abs(this_49.z));
     // glimt_render_gpu/src/kernels/triangle.rs:108
     return (0.0000038146973f * max(max(max(extent.x, extent.y), extent.z), extent.w));
 }
 
 // glimt_render_gpu/src/kernels/triangle.rs:114
-fn Triangle_setback(this_49: Triangle, ray_7: Ray, t_1: f32) -> f32 {
+fn Triangle_setback(this_50: Triangle, ray_7: Ray, t_1: f32) -> f32 {
 
     // glimt_render_gpu/src/kernels/triangle.rs:115
-    let _e5 = Triangle_area_normal(this_49);
+    let _e5 = Triangle_area_normal(this_50);
     // glimt_render_gpu/src/kernels/triangle.rs:116
     let across = abs(dot(_e5, ray_7.direction));
     // glimt_render_gpu/src/kernels/triangle.rs:117
-    let _e12 = Triangle_ray_offset(this_49);
+    let _e12 = Triangle_ray_offset(this_50);
     let apart = (2f * max(_e12, ((0.0000038146973f * t_1) * sqrt(dot(ray_7.direction, ray_7.direction)))));
     // glimt_render_gpu/src/kernels/triangle.rs:122
     return min(((apart * sqrt(dot(_e5, _e5))) / max(across, 0.000000000000000000000000000000000000011754944f)), t_1);
@@ -3624,31 +3646,31 @@ fn Scene_is_lit(point_4: ShadingPoint, direction_7: vec3<f32>, key_2: u32) -> bo
     return !(_e9);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:399
-fn Proposal_open_control(this_50: Proposal, direction_8: vec3<f32>, at_4: CellAt) -> vec3<f32> {
+// glimt_render_gpu/src/kernels/proposal.rs:418
+fn Proposal_open_control(this_51: Proposal, direction_8: vec3<f32>, at_4: CellAt) -> vec3<f32> {
     var self_4: Proposal;
     var chosen_21: f32;
 
-    self_4 = this_50;
-    // glimt_render_gpu/src/kernels/proposal.rs:400
+    self_4 = this_51;
+    // glimt_render_gpu/src/kernels/proposal.rs:419
     if at_4.is_full {
-        // glimt_render_gpu/src/kernels/proposal.rs:401
+        // glimt_render_gpu/src/kernels/proposal.rs:420
         let _e11 = self_4.of_.mean_normal;
         chosen_21 = dot(_e11, direction_8);
     } else {
-        // glimt_render_gpu/src/kernels/proposal.rs:403
+        // glimt_render_gpu/src/kernels/proposal.rs:422
         chosen_21 = at_4.cosine;
     }
     let cosine_1 = chosen_21;
-    // glimt_render_gpu/src/kernels/proposal.rs:405
+    // glimt_render_gpu/src/kernels/proposal.rs:424
     let _e19 = self_4.of_.diffuse;
     let kd_2 = (_e19 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:406
+    // glimt_render_gpu/src/kernels/proposal.rs:425
     let _e26 = self_4.of_.specular;
     return ((kd_2 * cosine_1) + (_e26 * at_4.lobe));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:276
+// glimt_render_gpu/src/kernels/group_light.rs:277
 fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_size_11: vec2<u32>, cells_start_11: u32, pattern_3: PixelPattern, rays_3: f32, threshold_3: f32, group_3: Group, proposal_4: Proposal, look: Look, points_start_6: u32, points_len_6: u32) -> vec3<f32> {
     var proposal_5: Proposal;
     var diffuse_1: vec3<f32>;
@@ -3662,40 +3684,40 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     var counter_13: u32;
 
     proposal_5 = proposal_4;
-    // glimt_render_gpu/src/kernels/group_light.rs:283
+    // glimt_render_gpu/src/kernels/group_light.rs:284
     if (group_3.members < 2u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:284
+        // glimt_render_gpu/src/kernels/group_light.rs:285
         return vec3(0f);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:286
-    let of_3 = proposal_5.of_;
     // glimt_render_gpu/src/kernels/group_light.rs:287
-    let spread_1 = of_3.surface.spread;
+    let of_3 = proposal_5.of_;
     // glimt_render_gpu/src/kernels/group_light.rs:288
+    let spread_1 = of_3.surface.spread;
+    // glimt_render_gpu/src/kernels/group_light.rs:289
     let _e27 = proposal_5.lobe_share;
     let with_lobes = (((of_3.surface.specular > 0f) && !((_e27 > 0f))) && (spread_1 > 0.001f));
-    // glimt_render_gpu/src/kernels/group_light.rs:289
+    // glimt_render_gpu/src/kernels/group_light.rs:290
     if !((with_lobes || (spread_1 > 0.035f))) {
-        // glimt_render_gpu/src/kernels/group_light.rs:290
-        let normal_5 = points[(points_start_6 + look.ray)].normal;
         // glimt_render_gpu/src/kernels/group_light.rs:291
-        let apart_1 = (dot(of_3.mean_normal, look.of_map) - dot(normal_5, look.direction));
+        let normal_5 = points[(points_start_6 + look.ray)].normal;
         // glimt_render_gpu/src/kernels/group_light.rs:292
+        let apart_1 = (dot(of_3.mean_normal, look.of_map) - dot(normal_5, look.direction));
+        // glimt_render_gpu/src/kernels/group_light.rs:293
         return (of_3.diffuse * (0.31830987f * apart_1));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:294
-    let half_3 = (look.of_map + of_3.surface.wo);
     // glimt_render_gpu/src/kernels/group_light.rs:295
-    let _e70 = rotate_z((half_3 / vec3(max(length(half_3), 0.000001f))), env_rotation_4);
+    let half_3 = (look.of_map + of_3.surface.wo);
     // glimt_render_gpu/src/kernels/group_light.rs:296
-    diffuse_1 = vec3(0f);
+    let _e70 = rotate_z((half_3 / vec3(max(length(half_3), 0.000001f))), env_rotation_4);
     // glimt_render_gpu/src/kernels/group_light.rs:297
-    lobes = 0f;
+    diffuse_1 = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:298
-    own_diffuse = vec3(0f);
+    lobes = 0f;
     // glimt_render_gpu/src/kernels/group_light.rs:299
-    own_lobe = 0f;
+    own_diffuse = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:300
+    own_lobe = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:301
     let _e89 = (group_3.members / 4u);
     counter_12 = 0u;
     loop {
@@ -3703,41 +3725,41 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
         if (quad_10 >= select(_e89, (_e89 + 1u), ((group_3.members % 4u) != 0u))) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:301
-        cosines = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:302
-        halves = array<f32, 4>(0f, 0f, 0f, 0f);
+        cosines = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:303
-        is_own = array<f32, 4>(0f, 0f, 0f, 0f);
+        halves = array<f32, 4>(0f, 0f, 0f, 0f);
         // glimt_render_gpu/src/kernels/group_light.rs:304
+        is_own = array<f32, 4>(0f, 0f, 0f, 0f);
+        // glimt_render_gpu/src/kernels/group_light.rs:305
         counter_13 = 0u;
         loop {
             let lane_2 = counter_13;
             if (lane_2 >= 4u) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/group_light.rs:305
-            let k_4 = ((4u * quad_10) + lane_2);
             // glimt_render_gpu/src/kernels/group_light.rs:306
+            let k_4 = ((4u * quad_10) + lane_2);
+            // glimt_render_gpu/src/kernels/group_light.rs:307
             if (k_4 < group_3.members) {
-                // glimt_render_gpu/src/kernels/group_light.rs:307
-                let _e125 = Group_ray(group_3, k_4, points_start_6, points_len_6);
                 // glimt_render_gpu/src/kernels/group_light.rs:308
-                let other = points[(points_start_6 + _e125)];
+                let _e125 = Group_ray(group_3, k_4, points_start_6, points_len_6);
                 // glimt_render_gpu/src/kernels/group_light.rs:309
-                let cosine_2 = max(dot(other.normal, look.direction), 0f);
+                let other = points[(points_start_6 + _e125)];
                 // glimt_render_gpu/src/kernels/group_light.rs:310
-                cosines[lane_2] = cosine_2;
+                let cosine_2 = max(dot(other.normal, look.direction), 0f);
                 // glimt_render_gpu/src/kernels/group_light.rs:311
-                halves[lane_2] = max(dot(other.normal, _e70), 0f);
+                cosines[lane_2] = cosine_2;
                 // glimt_render_gpu/src/kernels/group_light.rs:312
+                halves[lane_2] = max(dot(other.normal, _e70), 0f);
+                // glimt_render_gpu/src/kernels/group_light.rs:313
                 let _e148 = diffuse_1;
                 diffuse_1 = (_e148 + (other.diffuse * cosine_2));
-                // glimt_render_gpu/src/kernels/group_light.rs:313
+                // glimt_render_gpu/src/kernels/group_light.rs:314
                 if (_e125 == look.ray) {
-                    // glimt_render_gpu/src/kernels/group_light.rs:314
-                    own_diffuse = (other.diffuse * cosine_2);
                     // glimt_render_gpu/src/kernels/group_light.rs:315
+                    own_diffuse = (other.diffuse * cosine_2);
+                    // glimt_render_gpu/src/kernels/group_light.rs:316
                     is_own[lane_2] = 1f;
                 }
             }
@@ -3746,33 +3768,33 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
                 counter_13 = (_e159 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:319
+        // glimt_render_gpu/src/kernels/group_light.rs:320
         if with_lobes {
-            // glimt_render_gpu/src/kernels/group_light.rs:320
+            // glimt_render_gpu/src/kernels/group_light.rs:321
             let _e165 = cosines[0];
             let _e167 = cosines[1];
             let _e169 = cosines[2];
             let _e171 = cosines[3];
             let cosine_3 = vec4<f32>(_e165, _e167, _e169, _e171);
-            // glimt_render_gpu/src/kernels/group_light.rs:321
+            // glimt_render_gpu/src/kernels/group_light.rs:322
             let _e175 = halves[0];
             let _e177 = halves[1];
             let _e179 = halves[2];
             let _e181 = halves[3];
             let half_4 = vec4<f32>(_e175, _e177, _e179, _e181);
-            // glimt_render_gpu/src/kernels/group_light.rs:322
+            // glimt_render_gpu/src/kernels/group_light.rs:323
             let _e185 = is_own[0];
             let _e187 = is_own[1];
             let _e189 = is_own[2];
             let _e191 = is_own[3];
             let own_1 = vec4<f32>(_e185, _e187, _e189, _e191);
-            // glimt_render_gpu/src/kernels/group_light.rs:323
-            let _e200 = cosine_power4_((vec4(1f) - (half_4 * half_4)), vec4(of_3.exponent));
             // glimt_render_gpu/src/kernels/group_light.rs:324
+            let _e200 = cosine_power4_((vec4(1f) - (half_4 * half_4)), vec4(of_3.exponent));
+            // glimt_render_gpu/src/kernels/group_light.rs:325
             let _e202 = (_e200 * cosine_3);
             let _e210 = lobes;
             lobes = (_e210 + (((_e202.x + _e202.y) + _e202.z) + _e202.w));
-            // glimt_render_gpu/src/kernels/group_light.rs:325
+            // glimt_render_gpu/src/kernels/group_light.rs:326
             let _e214 = ((_e200 * cosine_3) * own_1);
             let _e222 = own_lobe;
             own_lobe = (_e222 + (((_e214.x + _e214.y) + _e214.z) + _e214.w));
@@ -3782,9 +3804,9 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
             counter_12 = (_e224 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:328
-    let share_2 = (1f / f32(group_3.members));
     // glimt_render_gpu/src/kernels/group_light.rs:329
+    let share_2 = (1f / f32(group_3.members));
+    // glimt_render_gpu/src/kernels/group_light.rs:330
     let _e233 = diffuse_1;
     let _e235 = own_diffuse;
     let _e241 = lobes;
@@ -3792,7 +3814,7 @@ fn GroupLight_of_others(env_size_4: vec2<u32>, env_rotation_4: vec2<f32>, cells_
     return ((((_e233 * share_2) - _e235) * 0.31830987f) + (of_3.specular * (of_3.peak * ((_e241 * share_2) - _e243))));
 }
 
-// glimt_render_gpu/src/kernels/group_light.rs:222
+// glimt_render_gpu/src/kernels/group_light.rs:223
 fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_size_12: vec2<u32>, cells_start_12: u32, pattern_4: PixelPattern, rays_4: f32, threshold_4: f32, group_4: Group, proposal_6: Proposal, look_1: Look, key_3: u32, points_start_7: u32, points_len_7: u32) -> Reflected {
     var proposal_7: Proposal;
     var pdf_sr: f32;
@@ -3801,86 +3823,86 @@ fn GroupLight_sample(env_size_5: vec2<u32>, env_rotation_5: vec2<f32>, cells_siz
     var blocked: vec3<f32>;
 
     proposal_7 = proposal_6;
-    // glimt_render_gpu/src/kernels/group_light.rs:230
+    // glimt_render_gpu/src/kernels/group_light.rs:231
     let _e20 = points[(points_start_7 + look_1.ray)];
     let _e21 = SeenPoint_shading_point(_e20);
-    // glimt_render_gpu/src/kernels/group_light.rs:231
-    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
     // glimt_render_gpu/src/kernels/group_light.rs:232
-    let at_9 = look_1.at;
+    let _e25 = ShadingFrame_to_local(_e21.frame, look_1.direction);
     // glimt_render_gpu/src/kernels/group_light.rs:233
-    let share_3 = proposal_7.lobe_share;
+    let at_9 = look_1.at;
     // glimt_render_gpu/src/kernels/group_light.rs:234
-    pdf_sr = 0f;
+    let share_3 = proposal_7.lobe_share;
     // glimt_render_gpu/src/kernels/group_light.rs:235
+    pdf_sr = 0f;
+    // glimt_render_gpu/src/kernels/group_light.rs:236
     if (share_3 < 1f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:236
+        // glimt_render_gpu/src/kernels/group_light.rs:237
         let _e38 = proposal_7;
         let _e41 = Proposal_cells_pdf_sr(_e38, look_1.texel, look_1.cell, at_9, cells_size_12, cells_start_12);
-        // glimt_render_gpu/src/kernels/group_light.rs:237
+        // glimt_render_gpu/src/kernels/group_light.rs:238
         pdf_sr = ((1f - share_3) * _e41);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:239
+    // glimt_render_gpu/src/kernels/group_light.rs:240
     if (share_3 > 0f) {
-        // glimt_render_gpu/src/kernels/group_light.rs:240
+        // glimt_render_gpu/src/kernels/group_light.rs:241
         let _e50 = lobe_of(_e21);
         let _e52 = BlinnPhong_pdf_sr(_e50, _e21.wo, _e25);
         let _e54 = pdf_sr;
         pdf_sr = (_e54 + (share_3 * _e52));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:242
+    // glimt_render_gpu/src/kernels/group_light.rs:243
     let _e57 = pdf_sr;
     if !((_e57 > 0.000000000000000000000000000000000000011754944f)) {
-        // glimt_render_gpu/src/kernels/group_light.rs:243
+        // glimt_render_gpu/src/kernels/group_light.rs:244
         return Reflected(vec3(0f), vec3(0f));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:245
-    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
     // glimt_render_gpu/src/kernels/group_light.rs:246
-    let _e71 = reflectance(_e21, _e25);
+    let _e69 = Environment_radiance(env_size_5, env_rotation_5, look_1.texel);
     // glimt_render_gpu/src/kernels/group_light.rs:247
-    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    let _e71 = reflectance(_e21, _e25);
     // glimt_render_gpu/src/kernels/group_light.rs:248
+    let is_seen = ((max(max(_e71.x, _e71.y), _e71.z) > 0f) && (dot(_e21.geometric_normal, look_1.direction) > 0f));
+    // glimt_render_gpu/src/kernels/group_light.rs:249
     both_3 = is_seen;
     if is_seen {
         let _e89 = Scene_is_lit(_e21, look_1.direction, key_3);
         both_3 = _e89;
     }
     let arrives = both_3;
-    // glimt_render_gpu/src/kernels/group_light.rs:249
-    lit = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:250
-    blocked = vec3(0f);
+    lit = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:251
+    blocked = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:252
     if arrives {
-        // glimt_render_gpu/src/kernels/group_light.rs:252
+        // glimt_render_gpu/src/kernels/group_light.rs:253
         lit = _e71;
     } else {
         if is_seen {
-            // glimt_render_gpu/src/kernels/group_light.rs:254
+            // glimt_render_gpu/src/kernels/group_light.rs:255
             blocked = _e71;
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:256
+    // glimt_render_gpu/src/kernels/group_light.rs:257
     if false {
-        // glimt_render_gpu/src/kernels/group_light.rs:257
+        // glimt_render_gpu/src/kernels/group_light.rs:258
         let _e105 = proposal_7;
         let _e107 = Proposal_open_control(_e105, look_1.of_map, at_9);
-        // glimt_render_gpu/src/kernels/group_light.rs:258
+        // glimt_render_gpu/src/kernels/group_light.rs:259
         let _e109 = proposal_7;
         let _e110 = GroupLight_of_others(env_size_5, env_rotation_5, cells_size_12, cells_start_12, pattern_4, rays_4, threshold_4, group_4, _e109, look_1, points_start_7, points_len_7);
-        // glimt_render_gpu/src/kernels/group_light.rs:259
+        // glimt_render_gpu/src/kernels/group_light.rs:260
         let _e113 = proposal_7.is_catcher;
         if _e113 {
-            // glimt_render_gpu/src/kernels/group_light.rs:260
+            // glimt_render_gpu/src/kernels/group_light.rs:261
             lit = ((_e71 - _e107) + _e110);
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:262
+            // glimt_render_gpu/src/kernels/group_light.rs:263
             let _e121 = lit;
             lit = (_e121 + ((_e110 - _e107) * at_9.visibility));
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:266
+    // glimt_render_gpu/src/kernels/group_light.rs:267
     let _e124 = lit;
     let _e125 = pdf_sr;
     let _e129 = blocked;
@@ -3952,105 +3974,107 @@ fn GroupLight_reflected(env_size_6: vec2<u32>, env_rotation_6: vec2<f32>, cells_
     let _e88 = worth_1;
     let _e89 = PatternSource_next_u32_((&source));
     let _e90 = unit_f32_(_e89);
-    let count_2 = u32((_e88 + _e90));
+    let count_3 = u32((_e88 + _e90));
     // glimt_render_gpu/src/kernels/group_light.rs:123
-    let _e95 = worth_1;
-    if (_e95 < 1f) {
-        let _e98 = worth_1;
-        chosen_22 = _e98;
+    Proposal_round_share((&proposal_8), count_3);
+    // glimt_render_gpu/src/kernels/group_light.rs:124
+    let _e96 = worth_1;
+    if (_e96 < 1f) {
+        let _e99 = worth_1;
+        chosen_22 = _e99;
     } else {
-        chosen_22 = f32(count_2);
+        chosen_22 = f32(count_3);
     }
     let divisor = chosen_22;
-    // glimt_render_gpu/src/kernels/group_light.rs:124
-    let _e103 = PixelPattern_ray_key(pattern_5, 9u);
-    let _e104 = hash2_(_e103, number);
     // glimt_render_gpu/src/kernels/group_light.rs:125
-    lit_1 = vec3(0f);
+    let _e104 = PixelPattern_ray_key(pattern_5, 9u);
+    let _e105 = hash2_(_e104, number);
     // glimt_render_gpu/src/kernels/group_light.rs:126
-    blocked_1 = vec3(0f);
+    lit_1 = vec3(0f);
     // glimt_render_gpu/src/kernels/group_light.rs:127
+    blocked_1 = vec3(0f);
+    // glimt_render_gpu/src/kernels/group_light.rs:128
     counter_14 = 0u;
     loop {
         let s_4 = counter_14;
-        if (s_4 >= count_2) {
+        if (s_4 >= count_3) {
             break;
         }
-        // glimt_render_gpu/src/kernels/group_light.rs:128
-        let _e121 = proposal_8.lobe_share;
-        let before = u32(((f32(s_4) * _e121) + _e38));
         // glimt_render_gpu/src/kernels/group_light.rs:129
-        let _e130 = proposal_8.lobe_share;
-        let after = u32(((f32((s_4 + 1u)) * _e130) + _e38));
+        let _e122 = proposal_8.lobe_share;
+        let before = u32(((f32(s_4) * _e122) + _e38));
         // glimt_render_gpu/src/kernels/group_light.rs:130
+        let _e131 = proposal_8.lobe_share;
+        let after = u32(((f32((s_4 + 1u)) * _e131) + _e38));
+        // glimt_render_gpu/src/kernels/group_light.rs:131
         if (after > before) {
-            // glimt_render_gpu/src/kernels/group_light.rs:131
-            let _e140 = (*drawn).lobes;
-            (*drawn).lobes = (_e140 + 1u);
             // glimt_render_gpu/src/kernels/group_light.rs:132
-            let _e143 = proposal_8;
-            let _e145 = (*drawn).lobes;
-            let _e148 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e143, _e26, (_e145 - 1u), points_start_8, points_len_8);
-            chosen_23 = _e148;
+            let _e141 = (*drawn).lobes;
+            (*drawn).lobes = (_e141 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:133
+            let _e144 = proposal_8;
+            let _e146 = (*drawn).lobes;
+            let _e149 = GroupLight_look_by_lobe(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e144, _e26, (_e146 - 1u), points_start_8, points_len_8);
+            chosen_23 = _e149;
         } else {
-            // glimt_render_gpu/src/kernels/group_light.rs:134
-            let _e152 = (*drawn).cells;
-            (*drawn).cells = (_e152 + 1u);
             // glimt_render_gpu/src/kernels/group_light.rs:135
-            let _e155 = proposal_8;
-            let _e157 = (*drawn).cells;
-            let _e160 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e155, _e26, (_e157 - 1u), points_start_8, points_len_8);
-            chosen_23 = _e160;
+            let _e153 = (*drawn).cells;
+            (*drawn).cells = (_e153 + 1u);
+            // glimt_render_gpu/src/kernels/group_light.rs:136
+            let _e156 = proposal_8;
+            let _e158 = (*drawn).cells;
+            let _e161 = GroupLight_look_by_cells(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e156, _e26, (_e158 - 1u), points_start_8, points_len_8);
+            chosen_23 = _e161;
         }
         let look_2 = chosen_23;
-        // glimt_render_gpu/src/kernels/group_light.rs:137
+        // glimt_render_gpu/src/kernels/group_light.rs:138
         if look_2.is_possible {
-            // glimt_render_gpu/src/kernels/group_light.rs:138
-            let own_2 = (_e104 + s_4);
             // glimt_render_gpu/src/kernels/group_light.rs:139
-            let _e167 = proposal_8;
-            let _e168 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e167, look_2, own_2, points_start_8, points_len_8);
+            let own_2 = (_e105 + s_4);
             // glimt_render_gpu/src/kernels/group_light.rs:140
-            let _e171 = lit_1;
-            lit_1 = (_e171 + _e168.lit);
+            let _e168 = proposal_8;
+            let _e169 = GroupLight_sample(env_size_6, env_rotation_6, cells_size_13, cells_start_13, pattern_5, rays_5, threshold_5, group_5, _e168, look_2, own_2, points_start_8, points_len_8);
             // glimt_render_gpu/src/kernels/group_light.rs:141
-            let _e175 = blocked_1;
-            blocked_1 = (_e175 + _e168.blocked);
+            let _e172 = lit_1;
+            lit_1 = (_e172 + _e169.lit);
+            // glimt_render_gpu/src/kernels/group_light.rs:142
+            let _e176 = blocked_1;
+            blocked_1 = (_e176 + _e169.blocked);
         }
         continuing {
-            let _e177 = counter_14;
-            counter_14 = (_e177 + 1u);
+            let _e178 = counter_14;
+            counter_14 = (_e178 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:144
-    points[(points_start_8 + _e18)].shadow_rays = count_2;
     // glimt_render_gpu/src/kernels/group_light.rs:145
-    let _e187 = proposal_8.total;
-    let _e189 = proposal_8.lobe_worth;
-    points[(points_start_8 + _e18)].residual = ((_e187 + _e189) * share_4);
+    points[(points_start_8 + _e18)].shadow_rays = count_3;
     // glimt_render_gpu/src/kernels/group_light.rs:146
-    if (count_2 > 0u) {
-        // glimt_render_gpu/src/kernels/group_light.rs:147
-        let _e200 = lit_1;
-        lit_1 = (_e200 / vec3(divisor));
+    let _e188 = proposal_8.total;
+    let _e190 = proposal_8.lobe_worth;
+    points[(points_start_8 + _e18)].residual = ((_e188 + _e190) * share_4);
+    // glimt_render_gpu/src/kernels/group_light.rs:147
+    if (count_3 > 0u) {
         // glimt_render_gpu/src/kernels/group_light.rs:148
-        let _e204 = blocked_1;
-        blocked_1 = (_e204 / vec3(divisor));
+        let _e201 = lit_1;
+        lit_1 = (_e201 / vec3(divisor));
+        // glimt_render_gpu/src/kernels/group_light.rs:149
+        let _e205 = blocked_1;
+        blocked_1 = (_e205 / vec3(divisor));
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:150
+    // glimt_render_gpu/src/kernels/group_light.rs:151
     if (false && _e28) {
-        // glimt_render_gpu/src/kernels/group_light.rs:152
-        let _e212 = proposal_8.open_integral;
-        let _e213 = lit_1;
-        let _e215 = blocked_1;
-        let _e217 = blocked_1;
-        return Reflected(((_e212 + _e213) - _e215), _e217);
+        // glimt_render_gpu/src/kernels/group_light.rs:153
+        let _e213 = proposal_8.open_integral;
+        let _e214 = lit_1;
+        let _e216 = blocked_1;
+        let _e218 = blocked_1;
+        return Reflected(((_e213 + _e214) - _e216), _e218);
     }
-    // glimt_render_gpu/src/kernels/group_light.rs:157
-    let _e221 = proposal_8.integral;
-    let _e222 = lit_1;
-    let _e224 = blocked_1;
-    return Reflected((_e221 + _e222), _e224);
+    // glimt_render_gpu/src/kernels/group_light.rs:158
+    let _e222 = proposal_8.integral;
+    let _e223 = lit_1;
+    let _e225 = blocked_1;
+    return Reflected((_e222 + _e223), _e225);
 }
 
 // glimt_render_gpu/src/kernels/shade.rs:25
@@ -4119,23 +4143,23 @@ fn permute(index_19: u32, length_: u32, key_4: u32) -> u32 {
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:212
-fn stratum(cell_5: u32, count: u32, jitter: u32) -> u32 {
+fn stratum(cell_5: u32, count_1: u32, jitter: u32) -> u32 {
 
     // glimt_render_gpu/src/kernels/pattern.rs:213
-    return ((cell_5 * (4294967295u / count)) + (jitter / count));
+    return ((cell_5 * (4294967295u / count_1)) + (jitter / count_1));
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:192
-fn jittered_pair(index_20: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
+fn jittered_pair(index_20: u32, count_2: u32, jitter_1: vec2<u32>, key_5: u32) -> vec2<u32> {
 
     // glimt_render_gpu/src/kernels/pattern.rs:193
-    let columns = max(u32(sqrt(f32(count_1))), 1u);
+    let columns = max(u32(sqrt(f32(count_2))), 1u);
     // glimt_render_gpu/src/kernels/pattern.rs:194
-    let _e12 = (count_1 / columns);
-    let rows_2 = select(_e12, (_e12 + 1u), ((count_1 % columns) != 0u));
+    let _e12 = (count_2 / columns);
+    let rows_2 = select(_e12, (_e12 + 1u), ((count_2 % columns) != 0u));
     // glimt_render_gpu/src/kernels/pattern.rs:195
     let _e21 = hash2_(key_5, 1u);
-    let _e22 = permute(index_20, count_1, _e21);
+    let _e22 = permute(index_20, count_2, _e21);
     // glimt_render_gpu/src/kernels/pattern.rs:196
     let _e26 = hash2_(key_5, 2u);
     let _e27 = permute((_e22 % columns), columns, _e26);
@@ -4144,71 +4168,71 @@ fn jittered_pair(index_20: u32, count_1: u32, jitter_1: vec2<u32>, key_5: u32) -
     let _e32 = permute((_e22 / columns), rows_2, _e31);
     // glimt_render_gpu/src/kernels/pattern.rs:198
     let _e38 = stratum(((_e27 * rows_2) + _e32), (columns * rows_2), jitter_1.x);
-    let _e40 = stratum(_e22, count_1, jitter_1.y);
+    let _e40 = stratum(_e22, count_2, jitter_1.y);
     return vec2<u32>(_e38, _e40);
 }
 
 // glimt_render_gpu/src/kernels/pattern.rs:67
-fn PixelPattern_pair(this_51: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec2<u32> {
+fn PixelPattern_pair(this_52: PixelPattern, purpose_6: u32, sample: u32, samples: u32) -> vec2<u32> {
     var borrowed_2: OwenSobol;
     var borrowed_3: Xoshiro128PlusPlus;
 
     // glimt_render_gpu/src/kernels/pattern.rs:68
-    let index_22 = ((this_51.ray * samples) + sample);
+    let index_22 = ((this_52.ray * samples) + sample);
     // glimt_render_gpu/src/kernels/pattern.rs:69
-    if (this_51.kind == 0u) {
+    if (this_52.kind == 0u) {
         // glimt_render_gpu/src/kernels/pattern.rs:70
-        let _e14 = PixelPattern_sobol_point(this_51, purpose_6, index_22);
+        let _e14 = PixelPattern_sobol_point(this_52, purpose_6, index_22);
         borrowed_2 = _e14;
         let _e16 = OwenSobol_next_uvec2_((&borrowed_2));
         return _e16;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:72
-    let _e18 = PixelPattern_generator(this_51, purpose_6, index_22);
+    let _e18 = PixelPattern_generator(this_52, purpose_6, index_22);
     borrowed_3 = _e18;
     let _e20 = Xoshiro128PlusPlus_next_uvec2_((&borrowed_3));
     // glimt_render_gpu/src/kernels/pattern.rs:73
-    if (this_51.kind == 1u) {
+    if (this_52.kind == 1u) {
         // glimt_render_gpu/src/kernels/pattern.rs:74
         return _e20;
     }
     // glimt_render_gpu/src/kernels/pattern.rs:76
-    let _e29 = PixelPattern_key(this_51, purpose_6);
-    let _e30 = jittered_pair(index_22, (this_51.rays * samples), _e20, _e29);
+    let _e29 = PixelPattern_key(this_52, purpose_6);
+    let _e30 = jittered_pair(index_22, (this_52.rays * samples), _e20, _e29);
     return _e30;
 }
 
 // glimt_render_gpu/src/kernels/camera.rs:23
-fn CameraView_direction(this_52: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
+fn CameraView_direction(this_53: CameraView, p: vec2<f32>, size_18: vec2<u32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/camera.rs:24
     let x_16 = (((2f * p.x) / f32(size_18.x)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:25
     let y_7 = (((2f * p.y) / f32(size_18.y)) - 1f);
     // glimt_render_gpu/src/kernels/camera.rs:26
-    return normalize(((this_52.forward + (this_52.right * x_16)) - (this_52.up * y_7)));
+    return normalize(((this_53.forward + (this_53.right * x_16)) - (this_53.up * y_7)));
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:161
-fn FrameParams_direction(this_53: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
+fn FrameParams_direction(this_54: FrameParams, pixel_3: u32, place_1: vec2<f32>) -> vec3<f32> {
 
     // glimt_render_gpu/src/kernels/frame.rs:162
-    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_53.width), (pixel_3 / this_53.width)));
+    let corner = vec2<f32>(vec2<u32>((pixel_3 % this_54.width), (pixel_3 / this_54.width)));
     // glimt_render_gpu/src/kernels/frame.rs:163
-    let view = CameraView(this_53.eye, this_53.forward, this_53.right, this_53.up);
+    let view = CameraView(this_54.eye, this_54.forward, this_54.right, this_54.up);
     // glimt_render_gpu/src/kernels/frame.rs:169
-    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_53.width, this_53.height));
+    let _e22 = CameraView_direction(view, (corner + place_1), vec2<u32>(this_54.width, this_54.height));
     return _e22;
 }
 
 // glimt_render_gpu/src/kernels/frame.rs:144
-fn FrameParams_camera_ray(this_54: FrameParams, pattern_6: PixelPattern) -> Ray {
+fn FrameParams_camera_ray(this_55: FrameParams, pattern_6: PixelPattern) -> Ray {
     var chosen_24: vec2<f32>;
 
     // glimt_render_gpu/src/kernels/frame.rs:145
-    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_54.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
+    let film = PixelPattern(pattern_6.kind, pattern_6.seed, this_55.film_frame, pattern_6.pixel, pattern_6.ray, pattern_6.rays);
     // glimt_render_gpu/src/kernels/frame.rs:149
-    if (this_54.filter_ == 1u) {
+    if (this_55.filter_ == 1u) {
         // glimt_render_gpu/src/kernels/frame.rs:150
         chosen_24 = vec2(0.5f);
     } else {
@@ -4219,10 +4243,10 @@ fn FrameParams_camera_ray(this_54: FrameParams, pattern_6: PixelPattern) -> Ray 
     }
     let place_4 = chosen_24;
     // glimt_render_gpu/src/kernels/frame.rs:154
-    let _e28 = FrameParams_direction(this_54, pattern_6.pixel, place_4);
+    let _e28 = FrameParams_direction(this_55, pattern_6.pixel, place_4);
     // glimt_render_gpu/src/kernels/frame.rs:155
     let _e32 = PixelPattern_ray_key(film, 8u);
-    let _e33 = Ray_keyed(this_54.eye, _e28, _e32);
+    let _e33 = Ray_keyed(this_55.eye, _e28, _e32);
     return _e33;
 }
 

@@ -403,23 +403,23 @@ fn CellSurface_product_weights(this_3: CellSurface, terms_3: CellTerms, flux_2: 
     return ((flux_2 * terms_3.live) * (reflected_2 + (terms_3.cosine_spread * this_3.diffuse)));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:253
+// glimt_render_gpu/src/kernels/proposal.rs:256
 fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibility_2: vec4<f32>, is_catcher: bool) -> vec4<f32> {
     var chosen: vec4<f32>;
     var chosen_1: vec4<f32>;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:260
+    // glimt_render_gpu/src/kernels/proposal.rs:263
     if (true && is_catcher) {
-        // glimt_render_gpu/src/kernels/proposal.rs:261
+        // glimt_render_gpu/src/kernels/proposal.rs:264
         let _e11 = CellSurface_blocked_weights(surface_1, terms_4, flux_3, visibility_2);
         chosen = _e11;
     } else {
         if true {
-            // glimt_render_gpu/src/kernels/proposal.rs:263
+            // glimt_render_gpu/src/kernels/proposal.rs:266
             let _e15 = CellSurface_residual_weights(surface_1, terms_4, flux_3, visibility_2);
             chosen_1 = _e15;
         } else {
-            // glimt_render_gpu/src/kernels/proposal.rs:265
+            // glimt_render_gpu/src/kernels/proposal.rs:268
             let _e17 = CellSurface_product_weights(surface_1, terms_4, flux_3);
             chosen_1 = _e17;
         }
@@ -430,37 +430,37 @@ fn weights(surface_1: CellSurface, terms_4: CellTerms, flux_3: vec4<f32>, visibi
     return _e19;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:151
+// glimt_render_gpu/src/kernels/proposal.rs:154
 fn channel_sum(cells_size: vec2<u32>, cells_start: u32, quad_3: u32, channel: u32, normal_2: vec3<f32>, full: vec4<f32>, cut: vec4<f32>) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:159
+    // glimt_render_gpu/src/kernels/proposal.rs:162
     let list_1 = (4u + (3u * channel));
-    // glimt_render_gpu/src/kernels/proposal.rs:160
+    // glimt_render_gpu/src/kernels/proposal.rs:163
     let _e14 = LightCells_quad(cells_size, cells_start, list_1, quad_3);
     let _e19 = LightCells_quad(cells_size, cells_start, (list_1 + 1u), quad_3);
     let _e25 = LightCells_quad(cells_size, cells_start, (list_1 + 2u), quad_3);
     let moment = (((_e14 * normal_2.x) + (_e19 * normal_2.y)) + (_e25 * normal_2.z));
-    // glimt_render_gpu/src/kernels/proposal.rs:163
+    // glimt_render_gpu/src/kernels/proposal.rs:166
     let _e32 = LightCells_quad(cells_size, cells_start, (1u + channel), quad_3);
-    // glimt_render_gpu/src/kernels/proposal.rs:164
+    // glimt_render_gpu/src/kernels/proposal.rs:167
     let _e36 = ((full * moment) + (cut * _e32));
     return (((_e36.x + _e36.y) + _e36.z) + _e36.w);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:169
+// glimt_render_gpu/src/kernels/proposal.rs:172
 fn diffuse_sum(cells_size_1: vec2<u32>, cells_start_1: u32, quad_4: u32, normal_3: vec3<f32>, full_1: vec4<f32>, cut_1: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:170
+    // glimt_render_gpu/src/kernels/proposal.rs:173
     let _e9 = channel_sum(cells_size_1, cells_start_1, quad_4, 0u, normal_3, full_1, cut_1);
     let _e11 = channel_sum(cells_size_1, cells_start_1, quad_4, 1u, normal_3, full_1, cut_1);
     let _e13 = channel_sum(cells_size_1, cells_start_1, quad_4, 2u, normal_3, full_1, cut_1);
     return vec3<f32>(_e9, _e11, _e13);
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:179
+// glimt_render_gpu/src/kernels/proposal.rs:182
 fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factors: vec4<f32>) -> vec3<f32> {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:180
+    // glimt_render_gpu/src/kernels/proposal.rs:183
     let _e7 = LightCells_quad(cells_size_2, cells_start_2, 1u, quad_5);
     let _e8 = (_e7 * factors);
     let _e19 = LightCells_quad(cells_size_2, cells_start_2, (1u + 1u), quad_5);
@@ -470,106 +470,106 @@ fn radiance_sum(cells_size_2: vec2<u32>, cells_start_2: u32, quad_5: u32, factor
     return vec3<f32>((((_e8.x + _e8.y) + _e8.z) + _e8.w), (((_e20.x + _e20.y) + _e20.z) + _e20.w), (((_e32.x + _e32.y) + _e32.z) + _e32.w));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:188
+// glimt_render_gpu/src/kernels/proposal.rs:191
 fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expected_first: u32, expected_slot: u32, is_catcher_1: bool) -> Totals {
     var t: Totals;
     var counter: u32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:194
-    let surface_2 = of_.surface;
-    // glimt_render_gpu/src/kernels/proposal.rs:195
-    let has_lobe = (surface_2.specular > 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:196
+    // glimt_render_gpu/src/kernels/proposal.rs:197
+    let surface_3 = of_.surface;
+    // glimt_render_gpu/src/kernels/proposal.rs:198
+    let has_lobe = (surface_3.specular > 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:199
     t = Totals(array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0f, 0f, 0f, 0f, 0f, 0f, 0f, vec3(0f), vec3(0f), vec3(0f), vec3(0f));
-    // glimt_render_gpu/src/kernels/proposal.rs:211
+    // glimt_render_gpu/src/kernels/proposal.rs:214
     counter = 0u;
     loop {
         let quad_6 = counter;
         if (quad_6 >= 128u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:212
+        // glimt_render_gpu/src/kernels/proposal.rs:215
         let _e43 = LightCells_quad(cells_size_3, cells_start_3, 0u, quad_6);
-        // glimt_render_gpu/src/kernels/proposal.rs:213
-        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_2, quad_6);
-        // glimt_render_gpu/src/kernels/proposal.rs:214
+        // glimt_render_gpu/src/kernels/proposal.rs:216
+        let _e45 = LightCells_terms(cells_size_3, cells_start_3, surface_3, quad_6);
+        // glimt_render_gpu/src/kernels/proposal.rs:217
         let _e48 = (_e43 * _e45.live);
         let live = (((_e48.x + _e48.y) + _e48.z) + _e48.w);
-        // glimt_render_gpu/src/kernels/proposal.rs:216
+        // glimt_render_gpu/src/kernels/proposal.rs:219
         if (live > 0f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:217
-            let _e60 = Expected_quad(expected_first, expected_slot, quad_6);
-            // glimt_render_gpu/src/kernels/proposal.rs:218
-            let _e62 = weights(surface_2, _e45, _e43, _e60, is_catcher_1);
-            // glimt_render_gpu/src/kernels/proposal.rs:219
-            let weight = (((_e62.x + _e62.y) + _e62.z) + _e62.w);
             // glimt_render_gpu/src/kernels/proposal.rs:220
+            let _e60 = Expected_quad(expected_first, expected_slot, quad_6);
+            // glimt_render_gpu/src/kernels/proposal.rs:221
+            let _e62 = weights(surface_3, _e45, _e43, _e60, is_catcher_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:222
+            let weight = (((_e62.x + _e62.y) + _e62.z) + _e62.w);
+            // glimt_render_gpu/src/kernels/proposal.rs:223
             if true {
-                // glimt_render_gpu/src/kernels/proposal.rs:221
+                // glimt_render_gpu/src/kernels/proposal.rs:224
                 let full_2 = (_e45.full * _e60);
-                // glimt_render_gpu/src/kernels/proposal.rs:222
+                // glimt_render_gpu/src/kernels/proposal.rs:225
                 let cut_2 = ((_e60 - full_2) * _e45.cosine);
-                // glimt_render_gpu/src/kernels/proposal.rs:223
+                // glimt_render_gpu/src/kernels/proposal.rs:226
                 let _e83 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, full_2, cut_2);
                 let _e84 = t.diffuse;
                 t.diffuse = (_e84 + _e83);
-                // glimt_render_gpu/src/kernels/proposal.rs:224
+                // glimt_render_gpu/src/kernels/proposal.rs:227
                 if is_catcher_1 {
-                    // glimt_render_gpu/src/kernels/proposal.rs:225
+                    // glimt_render_gpu/src/kernels/proposal.rs:228
                     let cut_3 = ((vec4(1f) - _e45.full) * _e45.cosine);
-                    // glimt_render_gpu/src/kernels/proposal.rs:226
+                    // glimt_render_gpu/src/kernels/proposal.rs:229
                     let _e97 = diffuse_sum(cells_size_3, cells_start_3, quad_6, of_.mean_normal, _e45.full, cut_3);
-                    // glimt_render_gpu/src/kernels/proposal.rs:227
+                    // glimt_render_gpu/src/kernels/proposal.rs:230
                     let _e100 = t.open_diffuse;
                     t.open_diffuse = (_e100 + _e97);
-                    // glimt_render_gpu/src/kernels/proposal.rs:228
+                    // glimt_render_gpu/src/kernels/proposal.rs:231
                     let _e105 = radiance_sum(cells_size_3, cells_start_3, quad_6, _e45.lobe);
                     let _e106 = t.open_specular;
                     t.open_specular = (_e106 + _e105);
                 }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:231
+            // glimt_render_gpu/src/kernels/proposal.rs:234
             if has_lobe {
-                // glimt_render_gpu/src/kernels/proposal.rs:232
+                // glimt_render_gpu/src/kernels/proposal.rs:235
                 let a_1 = (_e45.lobe * _e43);
-                // glimt_render_gpu/src/kernels/proposal.rs:233
+                // glimt_render_gpu/src/kernels/proposal.rs:236
                 let spread = ((a_1 * _e45.lobe_spread) * _e45.lobe_spread);
-                // glimt_render_gpu/src/kernels/proposal.rs:234
+                // glimt_render_gpu/src/kernels/proposal.rs:237
                 let _e126 = t.lobe;
                 t.lobe = (_e126 + (((a_1.x + a_1.y) + a_1.z) + a_1.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:235
+                // glimt_render_gpu/src/kernels/proposal.rs:238
                 let _e137 = t.lobe_spread;
                 t.lobe_spread = (_e137 + (((spread.x + spread.y) + spread.z) + spread.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:236
+                // glimt_render_gpu/src/kernels/proposal.rs:239
                 let _e140 = (a_1 * _e60);
                 let _e149 = t.lobe_visible;
                 t.lobe_visible = (_e149 + (((_e140.x + _e140.y) + _e140.z) + _e140.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:237
+                // glimt_render_gpu/src/kernels/proposal.rs:240
                 let _e154 = LightCells_quad(cells_size_3, cells_start_3, 13u, quad_6);
                 let _e155 = (_e45.lobe * _e154);
                 let _e164 = t.lobe_square;
                 t.lobe_square = (_e164 + (((_e155.x + _e155.y) + _e155.z) + _e155.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:238
+                // glimt_render_gpu/src/kernels/proposal.rs:241
                 let _e169 = LightCells_quad(cells_size_3, cells_start_3, 14u, quad_6);
                 let _e170 = (_e45.lobe * _e169);
                 let _e179 = t.lobe_area;
                 t.lobe_area = (_e179 + (((_e170.x + _e170.y) + _e170.z) + _e170.w));
-                // glimt_render_gpu/src/kernels/proposal.rs:239
+                // glimt_render_gpu/src/kernels/proposal.rs:242
                 if true {
-                    // glimt_render_gpu/src/kernels/proposal.rs:240
+                    // glimt_render_gpu/src/kernels/proposal.rs:243
                     let _e187 = radiance_sum(cells_size_3, cells_start_3, quad_6, (_e45.lobe * _e60));
                     let _e188 = t.specular;
                     t.specular = (_e188 + _e187);
                 }
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:243
+            // glimt_render_gpu/src/kernels/proposal.rs:246
             t.quads[quad_6] = weight;
-            // glimt_render_gpu/src/kernels/proposal.rs:244
+            // glimt_render_gpu/src/kernels/proposal.rs:247
             t.lives[quad_6] = live;
-            // glimt_render_gpu/src/kernels/proposal.rs:245
+            // glimt_render_gpu/src/kernels/proposal.rs:248
             let _e198 = t.weight;
             t.weight = (_e198 + weight);
-            // glimt_render_gpu/src/kernels/proposal.rs:246
+            // glimt_render_gpu/src/kernels/proposal.rs:249
             let _e202 = t.live;
             t.live = (_e202 + live);
         }
@@ -578,24 +578,33 @@ fn weigh(of_: Representative, cells_size_3: vec2<u32>, cells_start_3: u32, expec
             counter = (_e204 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:249
+    // glimt_render_gpu/src/kernels/proposal.rs:252
     let _e208 = t;
     return _e208;
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:272
+// glimt_render_gpu/src/kernels/proposal.rs:275
 fn worth_1(a: f32, visible: f32, variance: f32) -> f32 {
 
-    // glimt_render_gpu/src/kernels/proposal.rs:273
+    // glimt_render_gpu/src/kernels/proposal.rs:276
     if true {
-        // glimt_render_gpu/src/kernels/proposal.rs:274
+        // glimt_render_gpu/src/kernels/proposal.rs:277
         return (a * sqrt(((visible * (1f - visible)) + (visible * variance))));
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:277
+    // glimt_render_gpu/src/kernels/proposal.rs:280
     return (a * sqrt((1f + (2f * variance))));
 }
 
-// glimt_render_gpu/src/kernels/proposal.rs:284
+// glimt_render_gpu/src/kernels/proposal.rs:285
+fn is_sharp(surface_2: CellSurface) -> bool {
+
+    // glimt_render_gpu/src/kernels/proposal.rs:286
+    let is_flat = (dot(surface_2.normal, surface_2.wo) < 0.3f);
+    // glimt_render_gpu/src/kernels/proposal.rs:287
+    return ((surface_2.specular > 0f) && (is_flat || (surface_2.exponent > 40f)));
+}
+
+// glimt_render_gpu/src/kernels/proposal.rs:294
 fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u32, expected_first_1: u32, expected_slot_1: u32, is_catcher_2: bool) -> Proposal {
     var of_2: Representative;
     var sums: Totals;
@@ -612,179 +621,178 @@ fn Proposal_new(of_1: Representative, cells_size_4: vec2<u32>, cells_start_4: u3
     var counter_2: u32;
     var lobe_share: f32;
 
-    // glimt_render_gpu/src/kernels/proposal.rs:290
+    // glimt_render_gpu/src/kernels/proposal.rs:300
     of_2 = of_1;
-    // glimt_render_gpu/src/kernels/proposal.rs:291
+    // glimt_render_gpu/src/kernels/proposal.rs:301
     let _e10 = of_2;
     let _e11 = weigh(_e10, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
     sums = _e11;
-    // glimt_render_gpu/src/kernels/proposal.rs:292
+    // glimt_render_gpu/src/kernels/proposal.rs:302
     let _e14 = sums;
     first_1 = _e14;
-    // glimt_render_gpu/src/kernels/proposal.rs:293
+    // glimt_render_gpu/src/kernels/proposal.rs:303
     lobe_worth = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:294
+    // glimt_render_gpu/src/kernels/proposal.rs:304
     least_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:295
+    // glimt_render_gpu/src/kernels/proposal.rs:305
     share = 1f;
-    // glimt_render_gpu/src/kernels/proposal.rs:296
+    // glimt_render_gpu/src/kernels/proposal.rs:306
     let _e28 = of_2.surface.specular;
     let _e32 = sums.lobe;
     if ((_e28 > 0f) && (_e32 > 0f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:298
+        // glimt_render_gpu/src/kernels/proposal.rs:308
         let _e38 = sums.lobe_spread;
         let _e40 = sums.lobe;
         let by_cells = (_e38 / _e40);
-        // glimt_render_gpu/src/kernels/proposal.rs:299
+        // glimt_render_gpu/src/kernels/proposal.rs:309
         let _e44 = sums.lobe_square;
         let _e46 = sums.lobe;
         let _e49 = sums.lobe_area;
         let _e51 = sums.lobe;
         let by_lobe = clamp((((_e44 / _e46) * (_e49 / _e51)) - 1f), 0.0001f, 1000000f);
-        // glimt_render_gpu/src/kernels/proposal.rs:301
+        // glimt_render_gpu/src/kernels/proposal.rs:311
         share = (by_lobe / (by_lobe + by_cells));
-        // glimt_render_gpu/src/kernels/proposal.rs:302
+        // glimt_render_gpu/src/kernels/proposal.rs:312
         let _e63 = share;
         if (_e63 > 0.9f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:303
+            // glimt_render_gpu/src/kernels/proposal.rs:313
             share = 1f;
         } else {
             let _e68 = share;
             if (_e68 < 0.1f) {
-                // glimt_render_gpu/src/kernels/proposal.rs:305
+                // glimt_render_gpu/src/kernels/proposal.rs:315
                 share = 0f;
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:307
+        // glimt_render_gpu/src/kernels/proposal.rs:317
         let _e75 = sums.lobe;
         let _e78 = of_2.surface.specular;
         let a_2 = (_e75 * _e78);
-        // glimt_render_gpu/src/kernels/proposal.rs:308
+        // glimt_render_gpu/src/kernels/proposal.rs:318
         let _e82 = sums.lobe_visible;
         let _e84 = sums.lobe;
         let visible_1 = min((_e82 / _e84), 1f);
-        // glimt_render_gpu/src/kernels/proposal.rs:309
+        // glimt_render_gpu/src/kernels/proposal.rs:319
         let _e89 = share;
         if (_e89 < 1f) {
-            // glimt_render_gpu/src/kernels/proposal.rs:310
+            // glimt_render_gpu/src/kernels/proposal.rs:320
             let _e94 = share;
             let _e96 = worth_1(a_2, visible_1, by_lobe);
             lobe_worth = ((1f - _e94) * _e96);
-            // glimt_render_gpu/src/kernels/proposal.rs:311
+            // glimt_render_gpu/src/kernels/proposal.rs:321
             let _e99 = share;
             of_2.surface.share = _e99;
-            // glimt_render_gpu/src/kernels/proposal.rs:312
+            // glimt_render_gpu/src/kernels/proposal.rs:322
             let _e103 = of_2;
             let _e104 = weigh(_e103, cells_size_4, cells_start_4, expected_first_1, expected_slot_1, is_catcher_2);
             sums = _e104;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:315
-    let _e108 = of_2.surface.specular;
-    let _e113 = of_2.surface.normal;
-    let _e116 = of_2.surface.wo;
-    if ((_e108 > 0f) && (dot(_e113, _e116) < 0.3f)) {
-        // glimt_render_gpu/src/kernels/proposal.rs:316
-        least_share = 0.1f;
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:318
-    defence = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:319
-    let _e128 = sums.live;
-    if (_e128 > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:320
-        let _e134 = sums.weight;
-        let _e137 = sums.live;
-        defence = ((0.001f * _e134) / _e137);
-    }
-    // glimt_render_gpu/src/kernels/proposal.rs:322
-    total = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:323
-    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    // glimt_render_gpu/src/kernels/proposal.rs:324
-    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     // glimt_render_gpu/src/kernels/proposal.rs:325
+    let _e107 = of_2.surface;
+    let _e108 = is_sharp(_e107);
+    if _e108 {
+        // glimt_render_gpu/src/kernels/proposal.rs:326
+        least_share = 0.2f;
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:328
+    defence = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:329
+    let _e116 = sums.live;
+    if (_e116 > 0f) {
+        // glimt_render_gpu/src/kernels/proposal.rs:330
+        let _e122 = sums.weight;
+        let _e125 = sums.live;
+        defence = ((0.001f * _e122) / _e125);
+    }
+    // glimt_render_gpu/src/kernels/proposal.rs:332
+    total = 0f;
+    // glimt_render_gpu/src/kernels/proposal.rs:333
+    quads = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:334
+    rows = array<f32, 16>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+    // glimt_render_gpu/src/kernels/proposal.rs:335
     counter_1 = 0u;
     loop {
         let row = counter_1;
         if (row >= 16u) {
             break;
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:326
+        // glimt_render_gpu/src/kernels/proposal.rs:336
         of_row = 0f;
-        // glimt_render_gpu/src/kernels/proposal.rs:327
+        // glimt_render_gpu/src/kernels/proposal.rs:337
         counter_2 = (row * 8u);
         loop {
             let quad_7 = counter_2;
             if (quad_7 >= ((row + 1u) * 8u)) {
                 break;
             }
-            // glimt_render_gpu/src/kernels/proposal.rs:328
-            let _e172 = sums.quads[quad_7];
-            let _e173 = defence;
-            let _e176 = sums.lives[quad_7];
-            let weight_1 = (_e172 + (_e173 * _e176));
-            // glimt_render_gpu/src/kernels/proposal.rs:329
+            // glimt_render_gpu/src/kernels/proposal.rs:338
+            let _e160 = sums.quads[quad_7];
+            let _e161 = defence;
+            let _e164 = sums.lives[quad_7];
+            let weight_1 = (_e160 + (_e161 * _e164));
+            // glimt_render_gpu/src/kernels/proposal.rs:339
             quads[quad_7] = weight_1;
-            // glimt_render_gpu/src/kernels/proposal.rs:330
-            let _e182 = of_row;
-            of_row = (_e182 + weight_1);
+            // glimt_render_gpu/src/kernels/proposal.rs:340
+            let _e170 = of_row;
+            of_row = (_e170 + weight_1);
             continuing {
-                let _e184 = counter_2;
-                counter_2 = (_e184 + 1u);
+                let _e172 = counter_2;
+                counter_2 = (_e172 + 1u);
             }
         }
-        // glimt_render_gpu/src/kernels/proposal.rs:332
-        let _e188 = of_row;
-        rows[row] = _e188;
-        // glimt_render_gpu/src/kernels/proposal.rs:333
-        let _e191 = of_row;
-        let _e192 = total;
-        total = (_e192 + _e191);
+        // glimt_render_gpu/src/kernels/proposal.rs:342
+        let _e176 = of_row;
+        rows[row] = _e176;
+        // glimt_render_gpu/src/kernels/proposal.rs:343
+        let _e179 = of_row;
+        let _e180 = total;
+        total = (_e180 + _e179);
         continuing {
-            let _e194 = counter_1;
-            counter_1 = (_e194 + 1u);
+            let _e182 = counter_1;
+            counter_1 = (_e182 + 1u);
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:335
-    let _e198 = total;
-    let _e199 = lobe_worth;
-    let all_ = (_e198 + _e199);
-    // glimt_render_gpu/src/kernels/proposal.rs:336
+    // glimt_render_gpu/src/kernels/proposal.rs:345
+    let _e186 = total;
+    let _e187 = lobe_worth;
+    let all_ = (_e186 + _e187);
+    // glimt_render_gpu/src/kernels/proposal.rs:346
     lobe_share = 0f;
-    // glimt_render_gpu/src/kernels/proposal.rs:337
+    // glimt_render_gpu/src/kernels/proposal.rs:347
     if (all_ > 0f) {
-        // glimt_render_gpu/src/kernels/proposal.rs:338
-        let _e208 = lobe_worth;
-        let _e210 = least_share;
-        lobe_share = clamp((_e208 / all_), _e210, 0.95f);
-        // glimt_render_gpu/src/kernels/proposal.rs:339
-        let _e214 = total;
-        if !((_e214 > 0f)) {
-            // glimt_render_gpu/src/kernels/proposal.rs:340
+        // glimt_render_gpu/src/kernels/proposal.rs:348
+        let _e196 = lobe_worth;
+        let _e198 = least_share;
+        lobe_share = clamp((_e196 / all_), _e198, 0.95f);
+        // glimt_render_gpu/src/kernels/proposal.rs:349
+        let _e202 = total;
+        if !((_e202 > 0f)) {
+            // glimt_render_gpu/src/kernels/proposal.rs:350
             lobe_share = 1f;
         }
     }
-    // glimt_render_gpu/src/kernels/proposal.rs:343
-    let _e222 = of_2.diffuse;
-    let kd_1 = (_e222 * 0.31830987f);
-    // glimt_render_gpu/src/kernels/proposal.rs:344
-    let _e227 = first_1.diffuse;
-    let _e230 = of_2.specular;
-    let _e232 = first_1.specular;
-    let _e233 = share;
-    let _e238 = first_1.open_diffuse;
-    let _e241 = of_2.specular;
-    let _e243 = first_1.open_specular;
-    let _e244 = share;
-    let _e248 = of_2;
-    let _e249 = quads;
-    let _e250 = rows;
-    let _e251 = total;
-    let _e252 = defence;
-    let _e253 = lobe_worth;
-    let _e254 = lobe_share;
-    return Proposal(_e248, _e249, _e250, _e251, _e252, _e253, _e254, ((kd_1 * _e227) + (_e230 * (_e232 * _e233))), ((kd_1 * _e238) + (_e241 * (_e243 * _e244))), is_catcher_2);
+    // glimt_render_gpu/src/kernels/proposal.rs:353
+    let _e210 = of_2.diffuse;
+    let kd_1 = (_e210 * 0.31830987f);
+    // glimt_render_gpu/src/kernels/proposal.rs:354
+    let _e215 = first_1.diffuse;
+    let _e218 = of_2.specular;
+    let _e220 = first_1.specular;
+    let _e221 = share;
+    let _e226 = first_1.open_diffuse;
+    let _e229 = of_2.specular;
+    let _e231 = first_1.open_specular;
+    let _e232 = share;
+    let _e236 = of_2;
+    let _e237 = quads;
+    let _e238 = rows;
+    let _e239 = total;
+    let _e240 = defence;
+    let _e241 = lobe_worth;
+    let _e242 = lobe_share;
+    return Proposal(_e236, _e237, _e238, _e239, _e240, _e241, _e242, ((kd_1 * _e215) + (_e218 * (_e220 * _e221))), ((kd_1 * _e226) + (_e229 * (_e231 * _e232))), is_catcher_2);
 }
 
 // glimt_render_gpu/src/kernels/expect.rs:97

@@ -104,7 +104,7 @@ impl GroupLight<'_> {
         let leader = points[first as usize];
         let expected = &expected.at_slot(leader.slot());
         let is_catcher = leader.is_catcher();
-        let proposal = Proposal::new(&representative, &self.cells, expected, is_catcher);
+        let mut proposal = Proposal::new(&representative, &self.cells, expected, is_catcher);
         let mut source = self.pattern.point(COUNT, number);
         let start = unit_f32(source.next_u32());
         let share = group.members as f32 / self.pattern.rays as f32;
@@ -120,6 +120,7 @@ impl GroupLight<'_> {
             worth = 0.0;
         }
         let count = (worth + unit_f32(source.next_u32())) as u32;
+        proposal.round_share(count);
         let divisor = if worth < 1.0 { worth } else { count as f32 };
         let key = hash2(self.pattern.ray_key(LIT_THROUGH), number);
         let mut lit = Vec3::ZERO;

@@ -21,8 +21,11 @@ const BELOW_ONE: f32 = 1.0 - 1.0 / 16_777_216.0;
 /// Below this cosine between normal and eye a lobe's highlight is too sharp for cells.
 const GRAZING: f32 = 0.3;
 
-/// The least share of rays that a lobe seen at such an angle gets, and the most of any.
-const LEAST_AT_GRAZING: f32 = 0.1;
+/// Above this exponent a lobe may leave out the light that a cell's samples go to, and reflect the rest of it.
+const SHARP: f32 = 40.0;
+
+/// The least share of rays that such lobes get, so that no sample's value is out of bounds, and the most of any.
+const LEAST_TO_LOBE: f32 = 0.2;
 const MOST_TO_LOBE: f32 = 0.95;
 
 /// What is expected of the visibility of cells, from rays that have been traced before.
@@ -277,6 +280,13 @@ fn worth<P: Expectation>(a: f32, visible: f32, variance: f32) -> f32 {
     a * libm::sqrtf(1.0 + 2.0 * variance)
 }
 
+/// Whether a surface has a lobe that cells alone are too coarse for.
+#[inline]
+fn is_sharp(surface: &CellSurface) -> bool {
+    let is_flat = surface.normal.dot(surface.wo) < GRAZING;
+    surface.specular > 0.0 && (is_flat || surface.exponent > SHARP)
+}
+
 impl Proposal {
     /// The proposal of a group.
     #[inline]
@@ -312,8 +322,8 @@ impl Proposal {
                 sums = weigh(&of, cells, expected, is_catcher);
             }
         }
-        if of.surface.specular > 0.0 && of.surface.normal.dot(of.surface.wo) < GRAZING {
-            least_share = LEAST_AT_GRAZING;
+        if is_sharp(&of.surface) {
+            least_share = LEAST_TO_LOBE;
         }
         let mut defence = 0.0;
         if sums.live > 0.0 {
@@ -355,12 +365,21 @@ impl Proposal {
         }
     }
 
-    /// Whether it has a lobe that is seen at so flat an angle that cells are blind to its highlight.
+    /// Makes φ the share that a whole number of `count` samples has, where that leaves samples to both techniques: how many the lobe
+    /// draws is not left to chance then.
+    #[inline]
+    pub fn round_share(&mut self, count: u32) {
+        let lobes = libm::floorf(self.lobe_share * count as f32 + 0.5);
+        if lobes > 0.0 && lobes < count as f32 {
+            self.lobe_share = lobes / count as f32;
+        }
+    }
+
+    /// Whether it has a lobe that cells alone are too coarse for.
     #[inline]
     #[must_use]
     pub fn is_sharp(&self) -> bool {
-        let surface = &self.of.surface;
-        surface.specular > 0.0 && surface.normal.dot(surface.wo) < GRAZING
+        is_sharp(&self.of.surface)
     }
 
     /// Cell `cell` as this proposal has it.
