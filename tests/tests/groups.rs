@@ -476,7 +476,7 @@ fn noise_is_as_low_as_it_was() {
             mirror,
             &sun,
             within(cells(24), 4),
-            0.0392,
+            0.0079,
         ),
     ] {
         let found = noise(&scene, env, settings);

@@ -34,8 +34,11 @@ pub mod field {
     pub const DIRECTION: u32 = 15;
     /// `ρ`, no less than the largest angle from `d` to the cell's points, in radians.
     pub const RADIUS: u32 = 18;
+    /// `√3 √(2 (1 − |M|/R))`, M and R summed over the channels, and no more than ρ: about ρ where the cell's light is even, and less where
+    /// it lies close together, as that of a lamp.
+    pub const SPREAD: u32 = 19;
     /// How many lists there are.
-    pub const COUNT: u32 = 19;
+    pub const COUNT: u32 = 20;
 }
 
 /// A light map's cells, in its own coordinates: a view of the words that [`build_band`](crate::build_band) and

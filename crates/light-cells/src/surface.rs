@@ -175,6 +175,7 @@ impl LightCells<'_> {
         let y = self.quad(field::DIRECTION + 1, quad);
         let z = self.quad(field::DIRECTION + 2, quad);
         let radius = self.quad(field::RADIUS, quad);
+        let extent = self.quad(field::SPREAD, quad);
         let n = surface.normal;
         let c = x * n.x + y * n.y + z * n.z;
         let reach = radius + Vec4::splat(surface.horizon);
@@ -183,7 +184,7 @@ impl LightCells<'_> {
         let full = step(c - reach);
         let cosine = c.max(Vec4::ZERO);
         let half_spread = Vec4::splat(0.5 * surface.spread);
-        let cosine_spread = full * half_spread + (Vec4::ONE - full) * (0.35 * up);
+        let cosine_spread = full * half_spread + (Vec4::ONE - full) * (0.35 * up.min(2.0 * extent));
         if !(surface.specular > 0.0) {
             return CellTerms {
                 cosine,
@@ -204,14 +205,14 @@ impl LightCells<'_> {
         let nh = ((Vec4::splat(nv) + lifted / length).max(Vec4::ZERO)) / sqrt(half2);
         let cos2 = (nh * nh).min(Vec4::ONE);
         let sin2 = Vec4::ONE - cos2;
-        let r2 = radius * radius;
+        let r2 = extent * extent;
         let e = surface.exponent.max(1e-3);
         let seen = Vec4::splat(4.0) / (Vec4::splat(4.0 / e) + 0.7 * r2);
         let lobe =
             cosine_power4(sin2, seen) * seen * (lifted * live) * (surface.share * surface.peak / e);
         let tangent = sqrt(sin2 / cos2.max(Vec4::splat(1e-4)));
         let near = Vec4::splat(0.1 * e * surface.spread * surface.spread) + 0.06 * e * r2;
-        let slope = (0.5 * e) * tangent * (0.5 * radius + half_spread);
+        let slope = (0.5 * e) * tangent * (0.5 * extent + half_spread);
         CellTerms {
             cosine,
             full,
@@ -224,4 +225,4 @@ impl LightCells<'_> {
 }
 
 /// What `p (1 − p)` of a visibility grows by, as no count of rays is certain.
-pub const UNKNOWN_VISIBILITY: f32 = 0.0008;
+pub const UNKNOWN_VISIBILITY: f32 = 0.0002;

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, UVec2, Vec3, Vec4};
 use glimt_light_cells::{
-    BuildError, CELLS, CellSurface, LightCells, build_into, field, required_words,
+    BuildError, CELLS, COLUMNS, CellSurface, LightCells, build_into, field, required_words,
 };
 use glimt_probe::latlong::{direction_in_texel, texel_solid_angle_sr};
 use glimt_sampling::uniform::{UniformSource, unit_vec2};
@@ -274,6 +274,49 @@ fn what_a_surface_sees_is_bounded() {
             }
         });
     }
+}
+
+/// Even light is spread over its cell, a lamp is not, and a lobe is seen as sharp as it is where a lamp makes most of the light.
+#[test]
+fn light_lies_as_far_apart_as_it_does() {
+    let lamp = UVec2::new(40, 30);
+    let even = Map::new("even", (256, 128), |_, _| Vec3::ONE);
+    let map = Map::new("a lamp", (256, 128), |x, y| {
+        Vec3::splat(if UVec2::new(x, y) == lamp { 1e4 } else { 1.0 })
+    });
+    even.with_cells(|cells| {
+        for cell in COLUMNS..CELLS - COLUMNS {
+            let share = cells.value(field::SPREAD, cell) / cells.value(field::RADIUS, cell);
+            assert!((0.8..=1.0).contains(&share), "cell {cell}: {share}");
+        }
+    });
+    map.with_cells(|cells| {
+        let cell = cells.cell_of(lamp);
+        let spread = cells.value(field::SPREAD, cell);
+        assert!(spread < 0.2 * cells.value(field::RADIUS, cell), "{spread}");
+        let towards = direction_in_texel(lamp, map.size, [0.5, 0.5].into());
+        for (exponent, off) in [(50.0, 0.3_f32), (500.0, 0.1), (2000.0, 0.05)] {
+            // The eye stands where the lamp's reflection is seen `off` radians beside its middle.
+            let normal = (towards + Vec3::new(0.1, 0.2, 0.3)).normalize();
+            let mirrored = 2.0 * normal.dot(towards) * normal - towards;
+            let aside = mirrored.cross(normal).normalize();
+            let wo = (mirrored * off.cos() + aside * off.sin()).normalize();
+            let surface = CellSurface::new(normal, wo, 0.0, 1.0, exponent, 1.0, 0.0);
+            let brdf = glimt_brdf::BlinnPhong {
+                diffuse: Vec3::ZERO,
+                specular: Vec3::ONE,
+                exponent,
+            };
+            let frame = glimt_sampling::math::ShadingFrame::from_normal(normal);
+            let (wo, wi) = (frame.to_local(wo), frame.to_local(towards));
+            let wanted = brdf.eval(wo, wi).x * wi.z;
+            let found = cells.terms(&surface, cell / 4).lobe[(cell % 4) as usize];
+            assert!(
+                (found / wanted - 1.0).abs() < 0.15,
+                "e = {exponent}: {found}, not {wanted}"
+            );
+        }
+    });
 }
 
 /// The sum of the lobe over the cells is near its integral under a smooth light.

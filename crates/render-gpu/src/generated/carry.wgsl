@@ -319,12 +319,12 @@ fn representative_of(entry_1: TileEntry, frame_1: FrameParams, env_size_1: vec2<
     return _e15;
 }
 
-// glimt_light_cells/src/partition.rs:111
+// glimt_light_cells/src/partition.rs:114
 fn LightCells_quad(size_3: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
-    // glimt_light_cells/src/partition.rs:112
+    // glimt_light_cells/src/partition.rs:115
     let at = (((start + 32u) + (list * 512u)) + (4u * quad));
-    // glimt_light_cells/src/partition.rs:113
+    // glimt_light_cells/src/partition.rs:116
     let _e16 = env_tables[at];
     let _e22 = env_tables[(at + 1u)];
     let _e28 = env_tables[(at + 2u)];
@@ -387,64 +387,66 @@ fn LightCells_terms(size_4: vec2<u32>, start_1: u32, surface_1: CellSurface, qua
     // glimt_light_cells/src/surface.rs:177
     let _e20 = LightCells_quad(size_4, start_1, 18u, quad_1);
     // glimt_light_cells/src/surface.rs:178
-    let n_1 = surface_1.normal;
+    let _e23 = LightCells_quad(size_4, start_1, 19u, quad_1);
     // glimt_light_cells/src/surface.rs:179
-    let c = (((_e7 * n_1.x) + (_e12 * n_1.y)) + (_e17 * n_1.z));
+    let n_1 = surface_1.normal;
     // glimt_light_cells/src/surface.rs:180
-    let reach = (_e20 + vec4(surface_1.horizon));
+    let c = (((_e7 * n_1.x) + (_e12 * n_1.y)) + (_e17 * n_1.z));
     // glimt_light_cells/src/surface.rs:181
-    let up = max((c + reach), vec4(0f));
+    let reach = (_e20 + vec4(surface_1.horizon));
     // glimt_light_cells/src/surface.rs:182
-    let _e42 = step_(up);
+    let up = max((c + reach), vec4(0f));
     // glimt_light_cells/src/surface.rs:183
-    let _e45 = step_((c - reach));
+    let _e45 = step_(up);
     // glimt_light_cells/src/surface.rs:184
-    let cosine = max(c, vec4(0f));
+    let _e48 = step_((c - reach));
     // glimt_light_cells/src/surface.rs:185
-    let half_spread = vec4((0.5f * surface_1.spread));
+    let cosine = max(c, vec4(0f));
     // glimt_light_cells/src/surface.rs:186
-    let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
+    let half_spread = vec4((0.5f * surface_1.spread));
     // glimt_light_cells/src/surface.rs:187
+    let cosine_spread = ((_e48 * half_spread) + ((vec4(1f) - _e48) * (0.35f * min(up, (2f * _e23)))));
+    // glimt_light_cells/src/surface.rs:188
     if !((surface_1.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:188
-        return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
+        // glimt_light_cells/src/surface.rs:189
+        return CellTerms(cosine, _e48, _e45, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:198
-    let lifted = max(c, (0.25f * up));
     // glimt_light_cells/src/surface.rs:199
-    let v_1 = surface_1.wo;
+    let lifted = max(c, (0.25f * up));
     // glimt_light_cells/src/surface.rs:200
-    let nv = dot(n_1, v_1);
+    let v_1 = surface_1.wo;
     // glimt_light_cells/src/surface.rs:201
-    let dv = ((((_e7 * v_1.x) + (_e12 * v_1.y)) + (_e17 * v_1.z)) + ((lifted - c) * nv));
+    let nv = dot(n_1, v_1);
     // glimt_light_cells/src/surface.rs:202
-    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c * c)), vec4(0.000001f)));
+    let dv = ((((_e7 * v_1.x) + (_e12 * v_1.y)) + (_e17 * v_1.z)) + ((lifted - c) * nv));
     // glimt_light_cells/src/surface.rs:203
-    let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
+    let _e111 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c * c)), vec4(0.000001f)));
     // glimt_light_cells/src/surface.rs:204
-    let _e123 = sqrt_(half2_);
-    let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
+    let half2_ = max((vec4(2f) + ((2f * dv) / _e111)), vec4(0.000001f));
     // glimt_light_cells/src/surface.rs:205
-    let cos2_ = min((nh * nh), vec4(1f));
+    let _e129 = sqrt_(half2_);
+    let nh = (max((vec4(nv) + (lifted / _e111)), vec4(0f)) / _e129);
     // glimt_light_cells/src/surface.rs:206
-    let sin2_ = (vec4(1f) - cos2_);
+    let cos2_ = min((nh * nh), vec4(1f));
     // glimt_light_cells/src/surface.rs:207
-    let r2_ = (_e20 * _e20);
+    let sin2_ = (vec4(1f) - cos2_);
     // glimt_light_cells/src/surface.rs:208
-    let e = max(surface_1.exponent, 0.001f);
+    let r2_ = (_e23 * _e23);
     // glimt_light_cells/src/surface.rs:209
-    let seen_1 = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    let e = max(surface_1.exponent, 0.001f);
     // glimt_light_cells/src/surface.rs:210
-    let _e151 = cosine_power4_(sin2_, seen_1);
-    let lobe = (((_e151 * seen_1) * (lifted * _e42)) * ((surface_1.share * surface_1.peak) / e));
-    // glimt_light_cells/src/surface.rs:212
-    let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
+    let seen_1 = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    // glimt_light_cells/src/surface.rs:211
+    let _e157 = cosine_power4_(sin2_, seen_1);
+    let lobe = (((_e157 * seen_1) * (lifted * _e45)) * ((surface_1.share * surface_1.peak) / e));
     // glimt_light_cells/src/surface.rs:213
-    let near = (vec4((((0.1f * e) * surface_1.spread) * surface_1.spread)) + ((0.06f * e) * r2_));
+    let _e171 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
     // glimt_light_cells/src/surface.rs:214
-    let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
+    let near = (vec4((((0.1f * e) * surface_1.spread) * surface_1.spread)) + ((0.06f * e) * r2_));
     // glimt_light_cells/src/surface.rs:215
-    return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
+    let slope = (((0.5f * e) * _e171) * ((0.5f * _e23) + half_spread));
+    // glimt_light_cells/src/surface.rs:216
+    return CellTerms(cosine, _e48, _e45, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
 // glimt_render_gpu/src/kernels/cell_state.rs:149
@@ -545,7 +547,7 @@ fn CellSurface_residual_weights(this_2: CellSurface, terms_1: CellTerms, flux: v
     // glimt_light_cells/src/surface.rs:143
     let reflected = ((terms_1.cosine * this_2.diffuse) + (terms_1.lobe * this_2.specular));
     // glimt_light_cells/src/surface.rs:144
-    let by_visibility = ((visibility * (vec4(1f) - visibility)) + vec4(0.0008f));
+    let by_visibility = ((visibility * (vec4(1f) - visibility)) + vec4(0.0002f));
     // glimt_light_cells/src/surface.rs:145
     let _e22 = CellSurface_shape_variance(this_2, terms_1);
     let by_shape = (_e22 * max(visibility, vec4(0.02f)));

@@ -688,12 +688,12 @@ fn SeenPoint_is_catcher(this_7: SeenPoint) -> bool {
     return ((this_7.flags & 2u) != 0u);
 }
 
-// glimt_light_cells/src/partition.rs:111
+// glimt_light_cells/src/partition.rs:114
 fn LightCells_quad(size_2: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
-    // glimt_light_cells/src/partition.rs:112
+    // glimt_light_cells/src/partition.rs:115
     let at_5 = (((start + 32u) + (list * 512u)) + (4u * quad));
-    // glimt_light_cells/src/partition.rs:113
+    // glimt_light_cells/src/partition.rs:116
     let _e16 = env_tables[at_5];
     let _e22 = env_tables[(at_5 + 1u)];
     let _e28 = env_tables[(at_5 + 2u)];
@@ -756,64 +756,66 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     // glimt_light_cells/src/surface.rs:177
     let _e20 = LightCells_quad(size_3, start_1, 18u, quad_1);
     // glimt_light_cells/src/surface.rs:178
-    let n_3 = surface.normal;
+    let _e23 = LightCells_quad(size_3, start_1, 19u, quad_1);
     // glimt_light_cells/src/surface.rs:179
-    let c_1 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
+    let n_3 = surface.normal;
     // glimt_light_cells/src/surface.rs:180
-    let reach_3 = (_e20 + vec4(surface.horizon));
+    let c_1 = (((_e7 * n_3.x) + (_e12 * n_3.y)) + (_e17 * n_3.z));
     // glimt_light_cells/src/surface.rs:181
-    let up = max((c_1 + reach_3), vec4(0f));
+    let reach_3 = (_e20 + vec4(surface.horizon));
     // glimt_light_cells/src/surface.rs:182
-    let _e42 = step_(up);
+    let up = max((c_1 + reach_3), vec4(0f));
     // glimt_light_cells/src/surface.rs:183
-    let _e45 = step_((c_1 - reach_3));
+    let _e45 = step_(up);
     // glimt_light_cells/src/surface.rs:184
-    let cosine = max(c_1, vec4(0f));
+    let _e48 = step_((c_1 - reach_3));
     // glimt_light_cells/src/surface.rs:185
-    let half_spread = vec4((0.5f * surface.spread));
+    let cosine = max(c_1, vec4(0f));
     // glimt_light_cells/src/surface.rs:186
-    let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
+    let half_spread = vec4((0.5f * surface.spread));
     // glimt_light_cells/src/surface.rs:187
+    let cosine_spread = ((_e48 * half_spread) + ((vec4(1f) - _e48) * (0.35f * min(up, (2f * _e23)))));
+    // glimt_light_cells/src/surface.rs:188
     if !((surface.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:188
-        return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
+        // glimt_light_cells/src/surface.rs:189
+        return CellTerms(cosine, _e48, _e45, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:198
-    let lifted = max(c_1, (0.25f * up));
     // glimt_light_cells/src/surface.rs:199
-    let v_5 = surface.wo;
+    let lifted = max(c_1, (0.25f * up));
     // glimt_light_cells/src/surface.rs:200
-    let nv = dot(n_3, v_5);
+    let v_5 = surface.wo;
     // glimt_light_cells/src/surface.rs:201
-    let dv = ((((_e7 * v_5.x) + (_e12 * v_5.y)) + (_e17 * v_5.z)) + ((lifted - c_1) * nv));
+    let nv = dot(n_3, v_5);
     // glimt_light_cells/src/surface.rs:202
-    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_1 * c_1)), vec4(0.000001f)));
+    let dv = ((((_e7 * v_5.x) + (_e12 * v_5.y)) + (_e17 * v_5.z)) + ((lifted - c_1) * nv));
     // glimt_light_cells/src/surface.rs:203
-    let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
+    let _e111 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c_1 * c_1)), vec4(0.000001f)));
     // glimt_light_cells/src/surface.rs:204
-    let _e123 = sqrt_(half2_);
-    let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
+    let half2_ = max((vec4(2f) + ((2f * dv) / _e111)), vec4(0.000001f));
     // glimt_light_cells/src/surface.rs:205
-    let cos2_ = min((nh * nh), vec4(1f));
+    let _e129 = sqrt_(half2_);
+    let nh = (max((vec4(nv) + (lifted / _e111)), vec4(0f)) / _e129);
     // glimt_light_cells/src/surface.rs:206
-    let sin2_ = (vec4(1f) - cos2_);
+    let cos2_ = min((nh * nh), vec4(1f));
     // glimt_light_cells/src/surface.rs:207
-    let r2_ = (_e20 * _e20);
+    let sin2_ = (vec4(1f) - cos2_);
     // glimt_light_cells/src/surface.rs:208
-    let e = max(surface.exponent, 0.001f);
+    let r2_ = (_e23 * _e23);
     // glimt_light_cells/src/surface.rs:209
-    let seen_1 = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    let e = max(surface.exponent, 0.001f);
     // glimt_light_cells/src/surface.rs:210
-    let _e151 = cosine_power4_(sin2_, seen_1);
-    let lobe = (((_e151 * seen_1) * (lifted * _e42)) * ((surface.share * surface.peak) / e));
-    // glimt_light_cells/src/surface.rs:212
-    let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
+    let seen_1 = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    // glimt_light_cells/src/surface.rs:211
+    let _e157 = cosine_power4_(sin2_, seen_1);
+    let lobe = (((_e157 * seen_1) * (lifted * _e45)) * ((surface.share * surface.peak) / e));
     // glimt_light_cells/src/surface.rs:213
-    let near = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
+    let _e171 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
     // glimt_light_cells/src/surface.rs:214
-    let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
+    let near = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
     // glimt_light_cells/src/surface.rs:215
-    return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
+    let slope = (((0.5f * e) * _e171) * ((0.5f * _e23) + half_spread));
+    // glimt_light_cells/src/surface.rs:216
+    return CellTerms(cosine, _e48, _e45, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
 // glimt_render_gpu/src/kernels/proposal.rs:56
@@ -840,7 +842,7 @@ fn CellSurface_blocked_weights(this_10: CellSurface, terms_1: CellTerms, flux: v
     // glimt_light_cells/src/surface.rs:154
     let reflected = ((terms_1.cosine * this_10.diffuse) + (terms_1.lobe * this_10.specular));
     // glimt_light_cells/src/surface.rs:155
-    let blocked_2 = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
+    let blocked_2 = ((vec4(1f) - (visibility * visibility)) + vec4(0.0002f));
     // glimt_light_cells/src/surface.rs:156
     let _e22 = CellSurface_shape_variance(this_10, terms_1);
     // glimt_light_cells/src/surface.rs:157
@@ -854,7 +856,7 @@ fn CellSurface_residual_weights(this_11: CellSurface, terms_2: CellTerms, flux_1
     // glimt_light_cells/src/surface.rs:143
     let reflected_1 = ((terms_2.cosine * this_11.diffuse) + (terms_2.lobe * this_11.specular));
     // glimt_light_cells/src/surface.rs:144
-    let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
+    let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0002f));
     // glimt_light_cells/src/surface.rs:145
     let _e22 = CellSurface_shape_variance(this_11, terms_2);
     let by_shape = (_e22 * max(visibility_1, vec4(0.02f)));
@@ -2308,20 +2310,20 @@ fn find_bin(start_2: u32, bins: u32, u_6: u32) -> Bin {
     return Bin((_e36 - start_2), first_6, (_e43 - first_6));
 }
 
-// glimt_light_cells/src/partition.rs:97
+// glimt_light_cells/src/partition.rs:100
 fn column_of(x_6: u32, width: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:98
+    // glimt_light_cells/src/partition.rs:101
     return (((32u * (x_6 + 1u)) - 1u) / width);
 }
 
-// glimt_light_cells/src/partition.rs:131
+// glimt_light_cells/src/partition.rs:134
 fn LightCells_cell_of(size_6: vec2<u32>, start_3: u32, texel: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:132
+    // glimt_light_cells/src/partition.rs:135
     let _e7 = find_bin(start_3, 16u, texel.y);
     let row_4 = _e7.index;
-    // glimt_light_cells/src/partition.rs:133
+    // glimt_light_cells/src/partition.rs:136
     let _e14 = column_of(texel.x, size_6.x);
     return ((row_4 * 32u) + _e14);
 }
@@ -2431,147 +2433,147 @@ fn Place_word(this_36: Place, whole: f32, fraction: u32) -> u32 {
     return ((u32((place_2 * 16777216f)) << 8u) | (fraction & 255u));
 }
 
-// glimt_light_cells/src/partition.rs:138
+// glimt_light_cells/src/partition.rs:141
 fn LightCells_texel_rows(size_7: vec2<u32>, start_4: u32, row: u32) -> vec2<u32> {
 
-    // glimt_light_cells/src/partition.rs:139
+    // glimt_light_cells/src/partition.rs:142
     let at_6 = (start_4 + row);
-    // glimt_light_cells/src/partition.rs:140
+    // glimt_light_cells/src/partition.rs:143
     let _e8 = env_tables[at_6];
     let _e13 = env_tables[(at_6 + 1u)];
     return vec2<u32>(_e8, _e13);
 }
 
-// glimt_light_cells/src/partition.rs:71
+// glimt_light_cells/src/partition.rs:74
 fn first_row_word() -> u32 {
 
-    // glimt_light_cells/src/partition.rs:72
-    return (32u + (19u * 512u));
+    // glimt_light_cells/src/partition.rs:75
+    return (32u + (20u * 512u));
 }
 
-// glimt_light_cells/src/partition.rs:145
+// glimt_light_cells/src/partition.rs:148
 fn LightCells_row_edges(size_8: vec2<u32>, start_5: u32, cell_1: u32, rows_1: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:146
+    // glimt_light_cells/src/partition.rs:149
     let _e9 = Tuple_u32_u32_((cell_1 % 32u), (cell_1 / 32u));
     let column_1 = _e9.fa;
     let row_5 = _e9.fb;
-    // glimt_light_cells/src/partition.rs:147
+    // glimt_light_cells/src/partition.rs:150
     let of_band = (32u * (rows_1.x + row_5));
-    // glimt_light_cells/src/partition.rs:148
+    // glimt_light_cells/src/partition.rs:151
     let _e18 = first_row_word();
     return (((start_5 + _e18) + of_band) + (column_1 * ((rows_1.y - rows_1.x) + 1u)));
 }
 
-// glimt_light_cells/src/partition.rs:90
+// glimt_light_cells/src/partition.rs:93
 fn first_column(column: u32, width_2: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:91
+    // glimt_light_cells/src/partition.rs:94
     return ((column * width_2) / 32u);
 }
 
-// glimt_light_cells/src/partition.rs:103
+// glimt_light_cells/src/partition.rs:106
 fn column_unit(u_7: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:104
+    // glimt_light_cells/src/partition.rs:107
     return (u_7 >> 17u);
 }
 
-// glimt_light_cells/src/partition.rs:77
+// glimt_light_cells/src/partition.rs:80
 fn first_column_word(size_9: vec2<u32>) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:78
+    // glimt_light_cells/src/partition.rs:81
     let _e3 = first_row_word();
     return (_e3 + (32u * (size_9.y + 16u)));
 }
 
-// glimt_light_cells/src/partition.rs:83
+// glimt_light_cells/src/partition.rs:86
 fn column_words(width_3: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:84
+    // glimt_light_cells/src/partition.rs:87
     let _e4 = (width_3 / 2u);
     return select(_e4, (_e4 + 1u), ((width_3 % 2u) != 0u));
 }
 
-// glimt_light_cells/src/partition.rs:153
+// glimt_light_cells/src/partition.rs:156
 fn LightCells_column_edge(size_10: vec2<u32>, start_6: u32, x_7: u32, y_1: u32) -> u32 {
 
-    // glimt_light_cells/src/partition.rs:154
+    // glimt_light_cells/src/partition.rs:157
     let _e6 = first_column_word(size_10);
     let _e9 = column_words(size_10.x);
     let at_7 = (((start_6 + _e6) + (y_1 * _e9)) + (x_7 / 2u));
-    // glimt_light_cells/src/partition.rs:155
+    // glimt_light_cells/src/partition.rs:158
     let _e18 = env_tables[at_7];
     return ((_e18 >> ((16u * (x_7 & 1u)) & 31u)) & 65535u);
 }
 
-// glimt_light_cells/src/partition.rs:207
+// glimt_light_cells/src/partition.rs:210
 fn LightCells_pmf(size_11: vec2<u32>, start_7: u32, row_1: Bin, texel_1: vec2<u32>, first_2: u32) -> f32 {
     var chosen_13: u32;
 
-    // glimt_light_cells/src/partition.rs:208
+    // glimt_light_cells/src/partition.rs:211
     if (texel_1.x > first_2) {
-        // glimt_light_cells/src/partition.rs:209
+        // glimt_light_cells/src/partition.rs:212
         let _e15 = LightCells_column_edge(size_11, start_7, (texel_1.x - 1u), texel_1.y);
         chosen_13 = _e15;
     } else {
-        // glimt_light_cells/src/partition.rs:211
+        // glimt_light_cells/src/partition.rs:214
         chosen_13 = 0u;
     }
     let lower = chosen_13;
-    // glimt_light_cells/src/partition.rs:213
+    // glimt_light_cells/src/partition.rs:216
     let _e22 = LightCells_column_edge(size_11, start_7, texel_1.x, texel_1.y);
     let units = (_e22 - lower);
-    // glimt_light_cells/src/partition.rs:214
+    // glimt_light_cells/src/partition.rs:217
     return ((f32(row_1.units) * (1f / 2147483600f)) * (f32(units) * (1f / 32768f)));
 }
 
-// glimt_light_cells/src/partition.rs:161
+// glimt_light_cells/src/partition.rs:164
 fn LightCells_sample(size_12: vec2<u32>, start_8: u32, cell_2: u32, u_8: vec2<u32>) -> TexelDraw {
     var at_1: u32;
     var left_1: u32;
 
-    // glimt_light_cells/src/partition.rs:162
+    // glimt_light_cells/src/partition.rs:165
     let _e8 = LightCells_texel_rows(size_12, start_8, (cell_2 / 32u));
-    // glimt_light_cells/src/partition.rs:163
+    // glimt_light_cells/src/partition.rs:166
     let _e10 = LightCells_row_edges(size_12, start_8, cell_2, _e8);
-    // glimt_light_cells/src/partition.rs:164
+    // glimt_light_cells/src/partition.rs:167
     let _e18 = find_bin(_e10, (_e8.y - _e8.x), (u_8.y >> 1u));
-    // glimt_light_cells/src/partition.rs:170
+    // glimt_light_cells/src/partition.rs:173
     let y_2 = (_e8.x + _e18.index);
-    // glimt_light_cells/src/partition.rs:171
-    let column_2 = (cell_2 % 32u);
-    // glimt_light_cells/src/partition.rs:172
-    let _e28 = first_column(column_2, size_12.x);
     // glimt_light_cells/src/partition.rs:174
-    let _e31 = column_unit(u_8.x);
+    let column_2 = (cell_2 % 32u);
     // glimt_light_cells/src/partition.rs:175
+    let _e28 = first_column(column_2, size_12.x);
+    // glimt_light_cells/src/partition.rs:177
+    let _e31 = column_unit(u_8.x);
+    // glimt_light_cells/src/partition.rs:178
     at_1 = _e28;
-    // glimt_light_cells/src/partition.rs:176
+    // glimt_light_cells/src/partition.rs:179
     let _e38 = first_column((column_2 + 1u), size_12.x);
     left_1 = (_e38 - _e28);
-    // glimt_light_cells/src/partition.rs:177
+    // glimt_light_cells/src/partition.rs:180
     loop {
         let _e42 = left_1;
         if !((_e42 > 1u)) {
             break;
         }
-        // glimt_light_cells/src/partition.rs:178
+        // glimt_light_cells/src/partition.rs:181
         let _e47 = left_1;
         let half_1 = (_e47 / 2u);
-        // glimt_light_cells/src/partition.rs:179
+        // glimt_light_cells/src/partition.rs:182
         let _e51 = at_1;
         let _e55 = LightCells_column_edge(size_12, start_8, ((_e51 + half_1) - 1u), y_2);
         if (_e55 <= _e31) {
-            // glimt_light_cells/src/partition.rs:180
+            // glimt_light_cells/src/partition.rs:183
             let _e58 = at_1;
             at_1 = (_e58 + half_1);
         }
-        // glimt_light_cells/src/partition.rs:182
+        // glimt_light_cells/src/partition.rs:185
         let _e61 = left_1;
         left_1 = (_e61 - half_1);
     }
-    // glimt_light_cells/src/partition.rs:184
+    // glimt_light_cells/src/partition.rs:187
     let _e64 = at_1;
     let _e66 = at_1;
     let _e68 = LightCells_pmf(size_12, start_8, _e18, vec2<u32>(_e66, y_2), _e28);
@@ -2798,21 +2800,21 @@ fn GroupLight_look_by_cells(env_size_3: vec2<u32>, env_rotation_3: vec2<f32>, ce
     return Look(_e24.direction, _e28, _e24.texel, _e24.at, _e24.cell, _e20, true);
 }
 
-// glimt_light_cells/src/partition.rs:193
+// glimt_light_cells/src/partition.rs:196
 fn LightCells_pmf_in_cell(size_14: vec2<u32>, start_9: u32, texel_3: vec2<u32>, cell_3: u32) -> f32 {
 
-    // glimt_light_cells/src/partition.rs:194
+    // glimt_light_cells/src/partition.rs:197
     let _e8 = LightCells_texel_rows(size_14, start_9, (cell_3 / 32u));
-    // glimt_light_cells/src/partition.rs:195
+    // glimt_light_cells/src/partition.rs:198
     let _e10 = LightCells_row_edges(size_14, start_9, cell_3, _e8);
     let at_8 = ((_e10 + texel_3.y) - _e8.x);
-    // glimt_light_cells/src/partition.rs:196
+    // glimt_light_cells/src/partition.rs:199
     let _e22 = env_tables[(at_8 + 1u)];
     let _e25 = env_tables[at_8];
     let of_row_1 = Bin(0u, 0u, (_e22 - _e25));
-    // glimt_light_cells/src/partition.rs:201
+    // glimt_light_cells/src/partition.rs:204
     let _e32 = first_column((cell_3 % 32u), size_14.x);
-    // glimt_light_cells/src/partition.rs:202
+    // glimt_light_cells/src/partition.rs:205
     let _e34 = LightCells_pmf(size_14, start_9, of_row_1, texel_3, _e32);
     return _e34;
 }

@@ -202,12 +202,12 @@ fn representative_of(entry: TileEntry, frame: FrameParams, env_size_1: vec2<u32>
     return _e15;
 }
 
-// glimt_light_cells/src/partition.rs:111
+// glimt_light_cells/src/partition.rs:114
 fn LightCells_quad(size_2: vec2<u32>, start: u32, list: u32, quad: u32) -> vec4<f32> {
 
-    // glimt_light_cells/src/partition.rs:112
+    // glimt_light_cells/src/partition.rs:115
     let at = (((start + 32u) + (list * 512u)) + (4u * quad));
-    // glimt_light_cells/src/partition.rs:113
+    // glimt_light_cells/src/partition.rs:116
     let _e16 = env_tables[at];
     let _e22 = env_tables[(at + 1u)];
     let _e28 = env_tables[(at + 2u)];
@@ -270,64 +270,66 @@ fn LightCells_terms(size_3: vec2<u32>, start_1: u32, surface: CellSurface, quad_
     // glimt_light_cells/src/surface.rs:177
     let _e20 = LightCells_quad(size_3, start_1, 18u, quad_1);
     // glimt_light_cells/src/surface.rs:178
-    let n = surface.normal;
+    let _e23 = LightCells_quad(size_3, start_1, 19u, quad_1);
     // glimt_light_cells/src/surface.rs:179
-    let c = (((_e7 * n.x) + (_e12 * n.y)) + (_e17 * n.z));
+    let n = surface.normal;
     // glimt_light_cells/src/surface.rs:180
-    let reach = (_e20 + vec4(surface.horizon));
+    let c = (((_e7 * n.x) + (_e12 * n.y)) + (_e17 * n.z));
     // glimt_light_cells/src/surface.rs:181
-    let up = max((c + reach), vec4(0f));
+    let reach = (_e20 + vec4(surface.horizon));
     // glimt_light_cells/src/surface.rs:182
-    let _e42 = step_(up);
+    let up = max((c + reach), vec4(0f));
     // glimt_light_cells/src/surface.rs:183
-    let _e45 = step_((c - reach));
+    let _e45 = step_(up);
     // glimt_light_cells/src/surface.rs:184
-    let cosine = max(c, vec4(0f));
+    let _e48 = step_((c - reach));
     // glimt_light_cells/src/surface.rs:185
-    let half_spread = vec4((0.5f * surface.spread));
+    let cosine = max(c, vec4(0f));
     // glimt_light_cells/src/surface.rs:186
-    let cosine_spread = ((_e45 * half_spread) + ((vec4(1f) - _e45) * (0.35f * up)));
+    let half_spread = vec4((0.5f * surface.spread));
     // glimt_light_cells/src/surface.rs:187
+    let cosine_spread = ((_e48 * half_spread) + ((vec4(1f) - _e48) * (0.35f * min(up, (2f * _e23)))));
+    // glimt_light_cells/src/surface.rs:188
     if !((surface.specular > 0f)) {
-        // glimt_light_cells/src/surface.rs:188
-        return CellTerms(cosine, _e45, _e42, vec4(0f), vec4(0f), cosine_spread);
+        // glimt_light_cells/src/surface.rs:189
+        return CellTerms(cosine, _e48, _e45, vec4(0f), vec4(0f), cosine_spread);
     }
-    // glimt_light_cells/src/surface.rs:198
-    let lifted = max(c, (0.25f * up));
     // glimt_light_cells/src/surface.rs:199
-    let v = surface.wo;
+    let lifted = max(c, (0.25f * up));
     // glimt_light_cells/src/surface.rs:200
-    let nv = dot(n, v);
+    let v = surface.wo;
     // glimt_light_cells/src/surface.rs:201
-    let dv = ((((_e7 * v.x) + (_e12 * v.y)) + (_e17 * v.z)) + ((lifted - c) * nv));
+    let nv = dot(n, v);
     // glimt_light_cells/src/surface.rs:202
-    let _e105 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c * c)), vec4(0.000001f)));
+    let dv = ((((_e7 * v.x) + (_e12 * v.y)) + (_e17 * v.z)) + ((lifted - c) * nv));
     // glimt_light_cells/src/surface.rs:203
-    let half2_ = max((vec4(2f) + ((2f * dv) / _e105)), vec4(0.000001f));
+    let _e111 = sqrt_(max(((vec4(1f) + (lifted * lifted)) - (c * c)), vec4(0.000001f)));
     // glimt_light_cells/src/surface.rs:204
-    let _e123 = sqrt_(half2_);
-    let nh = (max((vec4(nv) + (lifted / _e105)), vec4(0f)) / _e123);
+    let half2_ = max((vec4(2f) + ((2f * dv) / _e111)), vec4(0.000001f));
     // glimt_light_cells/src/surface.rs:205
-    let cos2_ = min((nh * nh), vec4(1f));
+    let _e129 = sqrt_(half2_);
+    let nh = (max((vec4(nv) + (lifted / _e111)), vec4(0f)) / _e129);
     // glimt_light_cells/src/surface.rs:206
-    let sin2_ = (vec4(1f) - cos2_);
+    let cos2_ = min((nh * nh), vec4(1f));
     // glimt_light_cells/src/surface.rs:207
-    let r2_ = (_e20 * _e20);
+    let sin2_ = (vec4(1f) - cos2_);
     // glimt_light_cells/src/surface.rs:208
-    let e = max(surface.exponent, 0.001f);
+    let r2_ = (_e23 * _e23);
     // glimt_light_cells/src/surface.rs:209
-    let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    let e = max(surface.exponent, 0.001f);
     // glimt_light_cells/src/surface.rs:210
-    let _e151 = cosine_power4_(sin2_, seen);
-    let lobe = (((_e151 * seen) * (lifted * _e42)) * ((surface.share * surface.peak) / e));
-    // glimt_light_cells/src/surface.rs:212
-    let _e165 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
+    let seen = (vec4(4f) / (vec4((4f / e)) + (0.7f * r2_)));
+    // glimt_light_cells/src/surface.rs:211
+    let _e157 = cosine_power4_(sin2_, seen);
+    let lobe = (((_e157 * seen) * (lifted * _e45)) * ((surface.share * surface.peak) / e));
     // glimt_light_cells/src/surface.rs:213
-    let near = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
+    let _e171 = sqrt_((sin2_ / max(cos2_, vec4(0.0001f))));
     // glimt_light_cells/src/surface.rs:214
-    let slope = (((0.5f * e) * _e165) * ((0.5f * _e20) + half_spread));
+    let near = (vec4((((0.1f * e) * surface.spread) * surface.spread)) + ((0.06f * e) * r2_));
     // glimt_light_cells/src/surface.rs:215
-    return CellTerms(cosine, _e45, _e42, lobe, min((slope + near), vec4(1f)), cosine_spread);
+    let slope = (((0.5f * e) * _e171) * ((0.5f * _e23) + half_spread));
+    // glimt_light_cells/src/surface.rs:216
+    return CellTerms(cosine, _e48, _e45, lobe, min((slope + near), vec4(1f)), cosine_spread);
 }
 
 // glimt_render_gpu/src/kernels/cell_state.rs:98
@@ -371,7 +373,7 @@ fn CellSurface_blocked_weights(this_1: CellSurface, terms_1: CellTerms, flux: ve
     // glimt_light_cells/src/surface.rs:154
     let reflected = ((terms_1.cosine * this_1.diffuse) + (terms_1.lobe * this_1.specular));
     // glimt_light_cells/src/surface.rs:155
-    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0008f));
+    let blocked = ((vec4(1f) - (visibility * visibility)) + vec4(0.0002f));
     // glimt_light_cells/src/surface.rs:156
     let _e22 = CellSurface_shape_variance(this_1, terms_1);
     // glimt_light_cells/src/surface.rs:157
@@ -385,7 +387,7 @@ fn CellSurface_residual_weights(this_2: CellSurface, terms_2: CellTerms, flux_1:
     // glimt_light_cells/src/surface.rs:143
     let reflected_1 = ((terms_2.cosine * this_2.diffuse) + (terms_2.lobe * this_2.specular));
     // glimt_light_cells/src/surface.rs:144
-    let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0008f));
+    let by_visibility = ((visibility_1 * (vec4(1f) - visibility_1)) + vec4(0.0002f));
     // glimt_light_cells/src/surface.rs:145
     let _e22 = CellSurface_shape_variance(this_2, terms_2);
     let by_shape = (_e22 * max(visibility_1, vec4(0.02f)));
