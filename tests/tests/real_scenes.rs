@@ -78,6 +78,7 @@ struct Shot {
 fn shot(model: &str, map: &str, set: &[&str]) -> Shot {
     let text = format!(
         "[image]\nsize = [128, 72]\nrays_per_pixel = 16\n\
+         [render]\nmethod = \"mis\"\n\
          [probe]\nframes = {:?}\n\
          [[object]]\nmesh = {:?}\nground = true\n\
          [[object]]\nmesh = \"plane\"\nscale = 20.0\n",

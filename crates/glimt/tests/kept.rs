@@ -307,6 +307,8 @@ fn a_light_that_is_replaced_during_a_run_gives_no_false_stamp() {
         "image.size=[200,200]",
         "--set",
         "image.rays_per_pixel=16",
+        "--method",
+        "mis",
     ];
     let mut command = t.command(&args);
     command.stdout(Stdio::null()).stderr(Stdio::piped());

@@ -595,8 +595,8 @@ fn lively(t: &Scratch) {
     t.put(
         "shot.toml",
         format!(
-            "[image]\nsize = [40, 30]\nrays_per_pixel = 2\n[probe]\nframes = \"light.####.exr\"\nfps = 5\n\
-             [output]\nvideo = \"\"\npng = false\n{keys}\
+            "[image]\nsize = [40, 30]\nrays_per_pixel = 2\n[render]\nmethod = \"mis\"\n\
+             [probe]\nframes = \"light.####.exr\"\nfps = 5\n[output]\nvideo = \"\"\npng = false\n{keys}\
              [[object]]\nmesh = \"a.glb\"\nscale = 2\n[[object]]\nmesh = \"armillary\"\n\
              [[object.spin]]\nnode = \"armillary\"\ndeg_per_frame = 20\naxis = [0, 1, 1]\n\
              [[object]]\nmesh = \"plane\"\nscale = 4\n"

@@ -83,6 +83,7 @@ mod tests {
     #[test]
     fn counts_keep_their_proportions() {
         let mut shot = Shot::default();
+        shot.render.method = Method::Mis;
         assert_eq!(Knob::of(&shot), Knob::Rays(16));
         assert_eq!(Knob::of(&shot).keys(5), ["image.rays_per_pixel=5"]);
         shot.image.rays_per_pixel = 1;

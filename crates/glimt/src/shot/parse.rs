@@ -26,6 +26,7 @@ impl Document for Shot {
     const LISTS: &'static [&'static str] = &["object", "key", "spin"];
     fn complete(table: &mut Table) {
         apply_preset(table);
+        choose_method(table);
     }
 }
 
@@ -259,6 +260,25 @@ fn apply_preset(table: &mut Table) {
     }
 }
 
+/// Fills in the method where it is not given: "mis" where a key of it is, else "cells". That one keeps a memory where it is asked for by its
+/// name; a shot that says nothing of it has frames that may each be rendered alone.
+fn choose_method(table: &mut Table) {
+    let Some(render) = section(table, &["render"]) else {
+        return;
+    };
+    if render.contains_key("method") {
+        return;
+    }
+    let of_mis = ["brdf_samples", "env_samples", "compensation"];
+    let is_mis = of_mis.iter().any(|key| render.contains_key(*key));
+    let method = if is_mis { "mis" } else { "cells" };
+    render.insert("method".into(), Value::String(method.into()));
+    if let Some(cells) = section(render, &["cells"]) {
+        let memory = cells.entry("memory");
+        memory.or_insert(Value::Boolean(false));
+    }
+}
+
 /// A table in a table, made where it is not there; `None` where something else is.
 fn section<'a>(table: &'a mut Table, path: &[&str]) -> Option<&'a mut Table> {
     let Some((first, rest)) = path.split_first() else {
@@ -337,6 +357,7 @@ fn locate(text: &str, key: &str) -> Option<(usize, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shot::Method;
 
     fn shot(text: &str, set: &[&str]) -> Result<Shot> {
         let set: Vec<String> = set.iter().map(|s| (*s).to_owned()).collect();
@@ -345,7 +366,32 @@ mod tests {
 
     #[test]
     fn an_empty_shot_has_all_defaults() {
-        assert_eq!(shot("", &[]).unwrap(), Shot::default());
+        let mut defaults = Shot::default();
+        defaults.render.cells.memory = false;
+        assert_eq!(shot("", &[]).unwrap(), defaults);
+    }
+
+    #[test]
+    fn the_method_is_that_of_the_keys_that_are_given() {
+        let method = |text: &str, set: &[&str]| {
+            let render = shot(text, set).unwrap().render;
+            (render.method, render.cells.memory)
+        };
+        assert_eq!(method("", &[]), (Method::Cells, false));
+        let by_name = "[render]\nmethod = \"cells\"\n";
+        assert_eq!(method(by_name, &[]), (Method::Cells, true));
+        let asked = ["render.cells.memory=true"];
+        assert_eq!(method("", &asked), (Method::Cells, true));
+        for text in [
+            "[render]\nbrdf_samples = 4\n",
+            "[render]\ncompensation = false\n",
+            "[render]\npreset = \"kronander\"\n",
+        ] {
+            assert_eq!(method(text, &[]).0, Method::Mis, "{text}");
+        }
+        assert_eq!(method("", &["render.env_samples=2"]).0, Method::Mis);
+        let other = "[render]\nmethod = \"smc\"\nbrdf_samples = 4\n";
+        assert_eq!(method(other, &[]).0, Method::Smc);
     }
 
     #[test]

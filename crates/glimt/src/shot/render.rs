@@ -35,10 +35,10 @@ macro_rules! tables {
             /// How light is estimated, or that it is precomputed.
             Method {
                 /// Multiple importance sampling.
-                #[default] Mis = $mis,
+                Mis = $mis,
                 $(#[doc = concat!("The estimator `", $word, "`.")] $settings = $word,)*
                 /// A control variate over light cells.
-                Cells = "cells",
+                #[default] Cells = "cells",
                 /// Sequential Monte Carlo.
                 Smc = "smc",
                 /// Precomputed radiance transfer.
@@ -84,7 +84,7 @@ macro_rules! tables {
             fn default() -> Self {
                 let mis = methods::Mis::default();
                 Self {
-                    method: Method::Mis,
+                    method: Method::Cells,
                     brdf_samples: mis.brdf_samples,
                     env_samples: mis.env_samples,
                     compensation: mis.compensation,
