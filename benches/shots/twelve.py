@@ -13,7 +13,6 @@ import json
 import math
 import pathlib
 import random
-import struct
 import subprocess
 
 # Name, and keys: the counts of 16 camera rays.
@@ -93,12 +92,12 @@ class Light:
                     continue
                 exponent = math.frexp(most)[1]
                 scale = math.ldexp(256.0, -exponent)
-                out += struct.pack("4B", *(int(c * scale) for c in texel), exponent + 128)
+                out += bytes([*(int(c * scale) for c in texel), exponent + 128])
         path.write_bytes(out)
 
     def turned(self, degrees):
         step = len(self.rows[0]) * degrees // 360
-        return Light([row[-step:] + row[:-step] for row in self.rows])
+        return Light([row[len(row) - step :] + row[: len(row) - step] for row in self.rows])
 
     def doubled(self):
         return Light([[texel for texel in row for _ in range(2)] for row in self.rows for _ in range(2)])
@@ -116,7 +115,7 @@ def still(name):
 
 def turning(name):
     light = Light.read(name)
-    return [light.turned(3 * frame) if frame else light for frame in range(FRAMES)]
+    return [light.turned(3 * frame) for frame in range(FRAMES)]
 
 
 def flickering(name):
@@ -130,7 +129,7 @@ def cut(before, after):
     return [lights[frame == FRAMES - 1] for frame in range(FRAMES)]
 
 
-def smooth(_=None):
+def smooth():
     def row(y):
         up = math.cos(math.pi * (y + 0.5) / 64)
         turn = [math.cos(2 * math.pi * x / 128) for x in range(128)]
@@ -171,22 +170,26 @@ def glossy(kd, ks, exponent):
     return f"{{ diffuse = [{kd}, {kd}, {kd}], specular = [{ks}, {ks}, {ks}], exponent = {exponent} }}"
 
 
-BUNNY = (args.data / "models" / "stanford-bunny.obj").resolve().as_posix()
+def bunny(material):
+    mesh = (args.data / "models" / "stanford-bunny.obj").resolve().as_posix()
+    return mesh, f"scale = 11.0\ntranslate = [0.2, 0.0, 0.0]\nmaterial = {material}"
+
+
 INGENUITY = (args.data / "models" / "Ingenuity.glb").resolve().as_posix()
 SPIN = '\n[[object.spin]]\nnode = "main rotor"\ndeg_per_frame = 37.0'
 # Lights of the frames, mesh with its keys, whether the camera moves.
 SHOTS = {
     "diffuse sphere, sun, still": (lambda: still("spiaggia_di_mondello"), ("sphere", f"material = {matt(0.7)}"), False),
     "helicopter, warehouse, camera, rotor": (lambda: still("empty_warehouse_01"), ("helicopter", "scale = 0.35" + SPIN), True),
-    "bunny e = 50, studio, camera": (lambda: still("studio_small_03"), (BUNNY, f"scale = 11.0\ntranslate = [0.2, 0.0, 0.0]\nmaterial = {glossy(0.3, 0.6, 50)}"), True),
-    "bunny e = 50, studio, flicker": (lambda: flickering("studio_small_03"), (BUNNY, f"scale = 11.0\ntranslate = [0.2, 0.0, 0.0]\nmaterial = {glossy(0.3, 0.6, 50)}"), True),
+    "bunny e = 50, studio, camera": (lambda: still("studio_small_03"), bunny(glossy(0.3, 0.6, 50)), True),
+    "bunny e = 50, studio, flicker": (lambda: flickering("studio_small_03"), bunny(glossy(0.3, 0.6, 50)), True),
     "sphere e = 500, interior, turning": (lambda: turning("st_fagans_interior"), ("sphere", f"material = {glossy(0.1, 0.9, 500)}"), False),
     "sphere e = 50, a cut to night": (lambda: cut("st_fagans_interior", "dikhololo_night"), ("sphere", f"material = {glossy(0.3, 0.6, 50)}"), False),
     "diffuse sphere, constant, still": (constant, ("sphere", f"material = {matt(0.7)}"), False),
     "triangles, warehouse, camera": (lambda: still("empty_warehouse_01"), ("triangles.obj", f"material = {matt(0.5)}"), True),
     "textures, normal maps, sunrise, camera": (lambda: still("spruit_sunrise"), (INGENUITY, "scale = 1.6"), True),
-    "diffuse bunny, sun, 2048×1024": (large, (BUNNY, f"scale = 11.0\ntranslate = [0.2, 0.0, 0.0]\nmaterial = {matt(0.6)}"), False),
-    "bunny e = 500, smooth, camera": (smooth, (BUNNY, f"scale = 11.0\ntranslate = [0.2, 0.0, 0.0]\nmaterial = {glossy(0.1, 0.8, 500)}"), True),
+    "diffuse bunny, sun, 2048×1024": (large, bunny(matt(0.6)), False),
+    "bunny e = 500, smooth, camera": (smooth, bunny(glossy(0.1, 0.8, 500)), True),
     "grass, sunset, camera": (lambda: still("venice_sunset"), ("grass.obj", f"material = {matt(0.35)}"), True),
 }
 
@@ -194,9 +197,7 @@ SHOTS = {
 def write_shot(folder, lights, mesh, camera_moves):
     folder.mkdir(exist_ok=True)
     for number, light in enumerate(lights, 1):
-        path = folder / f"light.{number:04}.hdr"
-        if not path.exists():
-            light.write(path)
+        light.write(folder / f"light.{number:04}.hdr")
     frames = "light.####.hdr" if len(lights) > 1 else "light.0001.hdr"
     name, keys = mesh
     up = 'up = "z"\n' if name in ("triangles.obj", "grass.obj") else ""
@@ -224,8 +225,7 @@ scale = 12.0
 material = {matt(0.5)}
 """
     shot = folder / "shot.toml"
-    if not shot.exists() or shot.read_text() != text:
-        shot.write_text(text)
+    shot.write_text(text)
     return shot
 
 

@@ -74,10 +74,15 @@ fn small_things(catcher: bool, diffuse: f64, specular: f64) -> SceneBuffers {
     SceneBuffers::build(&description).unwrap()
 }
 
+/// A light map of these texels, by column and row, turned by so many degrees.
+fn light(size: UVec2, rotate_z_deg: f32, texel: impl Fn(u32, u32) -> Vec4) -> PreparedEnv {
+    let texels = (0..size.x * size.y).map(|i| texel(i % size.x, i / size.x));
+    let map = EnvMap::new(size, texels.collect()).unwrap();
+    map.prepare(rotate_z_deg).unwrap()
+}
+
 fn lamp_and_sky() -> PreparedEnv {
-    let size = UVec2::new(64, 32);
-    let texel = |i: u32| {
-        let (x, y) = (i % size.x, i / size.x);
+    light(UVec2::new(64, 32), 20.0, |x, y| {
         let wave = 1.0 + 0.6 * libm::sinf(0.4 * x as f32) * libm::cosf(0.3 * y as f32);
         let lamp = if (20..23).contains(&x) && (6..8).contains(&y) {
             60.0
@@ -90,25 +95,15 @@ fn lamp_and_sky() -> PreparedEnv {
             1.2 * wave + 0.5 * lamp,
             1.0,
         )
-    };
-    EnvMap::new(size, (0..size.x * size.y).map(texel).collect())
-        .unwrap()
-        .prepare(20.0)
-        .unwrap()
+    })
 }
 
 /// A sun, which a cell holds whole with the sky around it.
 fn sun_in_a_cell() -> PreparedEnv {
-    let size = UVec2::new(256, 128);
-    let texel = |i: u32| {
-        let (x, y) = (i % size.x, i / size.x);
+    light(UVec2::new(256, 128), 20.0, |x, y| {
         let is_sun = (84..86).contains(&x) && (36..38).contains(&y);
         Vec4::splat(if is_sun { 400.0 } else { 1.0 })
-    };
-    EnvMap::new(size, (0..size.x * size.y).map(texel).collect())
-        .unwrap()
-        .prepare(20.0)
-        .unwrap()
+    })
 }
 
 /// Coarse pixels: each of them sees much of the sphere.
@@ -229,20 +224,14 @@ fn means_are_those_of_another_method_where_normals_vary() {
 
 /// A lamp that stands low in a dark sky.
 fn low_lamp() -> PreparedEnv {
-    let size = UVec2::new(64, 32);
-    let texel = |i: u32| {
-        let (x, y) = (i % size.x, i / size.x);
+    light(UVec2::new(64, 32), 0.0, |x, y| {
         let lamp = if (30..33).contains(&x) && (12..15).contains(&y) {
             40.0
         } else {
             0.02
         };
         Vec4::new(lamp, 0.9 * lamp, 0.6 * lamp, 1.0)
-    };
-    EnvMap::new(size, (0..size.x * size.y).map(texel).collect())
-        .unwrap()
-        .prepare(0.0)
-        .unwrap()
+    })
 }
 
 /// Surfaces that are seen flatly, and others that a lamp just reaches: lobes reflect below the horizon, and a group's members see what their
@@ -415,15 +404,15 @@ fn noise(scene: &SceneBuffers, env: &PreparedEnv, settings: RenderSettings) -> f
 fn noise_is_as_low_as_it_was() {
     let (lamp, even, sun) = (lamp_and_sky(), prepare(&map(1.0)), sun_in_a_cell());
     let small = |diffuse, specular| small_things(false, diffuse, specular);
-    let mut alone = scene(0.1, 0.8, 60.0).describe(24);
-    alone.objects.remove(1);
-    alone.objects.remove(0);
-    let alone = SceneBuffers::build(&alone).unwrap();
+    let ball = |diffuse, specular, exponent, rings| {
+        let mut alone = scene(diffuse, specular, exponent).describe(rings);
+        alone.objects.remove(1);
+        alone.objects.remove(0);
+        SceneBuffers::build(&alone).unwrap()
+    };
+    let alone = ball(0.1, 0.8, 60.0, 24);
+    let mirror = ball(0.0, 0.9, 2000.0, 60);
     let sharp = SceneBuffers::build(&scene(0.1, 0.8, 600.0).describe(60)).unwrap();
-    let mut mirror = scene(0.0, 0.9, 2000.0).describe(60);
-    mirror.objects.remove(1);
-    mirror.objects.remove(0);
-    let mirror = SceneBuffers::build(&mirror).unwrap();
     let within = |method, rays| RenderSettings {
         filter: Filter::Centre,
         ..coarse(method, rays, false)

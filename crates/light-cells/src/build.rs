@@ -398,7 +398,7 @@ impl Sums {
         put(field::DIRECTION, &direction.as_dvec3().to_array());
         put(field::RADIUS, &[radius]);
         let length = towards.length() / self.radiance.element_sum();
-        // Of a black cell it is not a number.
+        // Of a black cell the length is not a number, which `max` makes 0.
         let spread = libm::sqrt(6.0 * (1.0 - length).max(0.0)).min(radius);
         put(field::SPREAD, &[spread]);
         numbers

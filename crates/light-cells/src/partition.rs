@@ -35,7 +35,7 @@ pub mod field {
     /// `ρ`, no less than the largest angle from `d` to the cell's points, in radians.
     pub const RADIUS: u32 = 18;
     /// `√3 √(2 (1 − |M|/R))`, M and R summed over the channels, and no more than ρ: about ρ where the cell's light is even, and less where
-    /// it lies close together, as that of a lamp.
+    /// it lies close together, as that of a lamp. 0 for a black cell.
     pub const SPREAD: u32 = 19;
     /// How many lists there are.
     pub const COUNT: u32 = 20;

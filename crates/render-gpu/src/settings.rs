@@ -81,6 +81,9 @@ macro_rules! settings {
             /// The table of its keys in a shot, below `render`; empty where they stand there themselves.
             pub const TABLE: &'static str = $table;
 
+            /// The names of its keys.
+            pub const KEYS: &'static [&'static str] = &[$(stringify!($key)),+];
+
             /// Checks each setting by itself.
             ///
             /// # Errors

@@ -3,6 +3,7 @@
 
 use super::Shot;
 use crate::error::{Error, Result, nearest};
+use glimt_render_gpu::methods::Mis;
 use serde::de::DeserializeOwned;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
@@ -260,22 +261,19 @@ fn apply_preset(table: &mut Table) {
     }
 }
 
-/// Fills in the method where it is not given: "mis" where a key of it is, else "cells". That one keeps a memory where it is asked for by its
-/// name; a shot that says nothing of it has frames that may each be rendered alone.
+/// Fills in the method where it is not given but a key of "mis" is. Fills in a memory of "cells" where a method is given: a shot that names
+/// none has frames that may each be rendered alone.
 fn choose_method(table: &mut Table) {
     let Some(render) = section(table, &["render"]) else {
         return;
     };
-    if render.contains_key("method") {
-        return;
+    let is_named = render.contains_key("method");
+    if !is_named && Mis::KEYS.iter().any(|key| render.contains_key(*key)) {
+        render.insert("method".into(), Value::String("mis".into()));
     }
-    let of_mis = ["brdf_samples", "env_samples", "compensation"];
-    let is_mis = of_mis.iter().any(|key| render.contains_key(*key));
-    let method = if is_mis { "mis" } else { "cells" };
-    render.insert("method".into(), Value::String(method.into()));
     if let Some(cells) = section(render, &["cells"]) {
         let memory = cells.entry("memory");
-        memory.or_insert(Value::Boolean(false));
+        memory.or_insert(Value::Boolean(is_named));
     }
 }
 
@@ -366,9 +364,7 @@ mod tests {
 
     #[test]
     fn an_empty_shot_has_all_defaults() {
-        let mut defaults = Shot::default();
-        defaults.render.cells.memory = false;
-        assert_eq!(shot("", &[]).unwrap(), defaults);
+        assert_eq!(shot("", &[]).unwrap(), Shot::default());
     }
 
     #[test]

@@ -84,12 +84,13 @@ macro_rules! tables {
             fn default() -> Self {
                 let mis = methods::Mis::default();
                 Self {
-                    method: Method::Cells,
+                    method: Method::default(),
                     brdf_samples: mis.brdf_samples,
                     env_samples: mis.env_samples,
                     compensation: mis.compensation,
                     $($module: methods::$settings::default(),)*
-                    cells: methods::Cells::default(),
+                    // With one where a method is named: see `choose_method`.
+                    cells: methods::Cells { memory: false, ..methods::Cells::default() },
                     smc: Smc::default(),
                     prt: Prt::default(),
                     preset: Preset::None,
